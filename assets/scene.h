@@ -10,6 +10,7 @@
 
 #include "assets/additions.h"
 #include "assets/look.h"
+#include "sim/ball/planned_throw.h"
 #include "sim/base/result.h"
 #include "sim/crowd/habit.h"
 #include "sim/fall/planned_push.h"
@@ -80,12 +81,15 @@ struct Scene {
     PeopleMix mix;                    // of the built-in ones
     std::vector<Addition> added;      // to the city
     std::vector<PlannedPush> pushes;  // that people get
+    std::vector<PlannedThrow> balls;  // that are thrown at them
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                // 0..1,000,000
     int creatures = 0;                // 0..100, of six legs, among people
     Habit habit = Habit::wander;      // what they do; they stagger on a platform only
     LimbLead limbs = LimbLead::gait;  // what leads theirs; curves only of those who ramble
     float drunk = 0;                  // 0..1, see WorldOptions,
+    int steppers = 0;                 // of the walkers, who step when they must, along
+    std::vector<Vec2> steppers_way;   // this closed line, metres; of two places, there and back
     int drunks = 0;                   // and there; 0: all are so drunk
     float helpers = k_usual_helpers;  // the same
     bool flat = false;                // of a course: all in one plane, seen from the side
@@ -149,6 +153,10 @@ std::string scene_schema();
 // and back.
 Result<PlannedPush> parse_push(const std::string& text);
 std::string told_push(const PlannedPush& push);
+// "2 0,1.6,9 0,1.2,0 12 4": a ball thrown 2 s after the start, from a place past another, at 12 m/s, of 4 kg,
+// and back. Without the last it is k_ball_mass.
+Result<PlannedThrow> parse_throw(const std::string& text);
+std::string told_throw(const PlannedThrow& thrown);
 // Who is to be pushed and is not among the scene's walkers, who are numbered from 0.
 std::optional<uint32_t> pushed_nobody(const Scene& scene);
 // Leaves those out.
@@ -157,7 +165,9 @@ void leave_out_nobody(Scene& scene);
 // "-8,-5 8,-5 0,9": the corners of a platform, and back. Refuses what make_platform() does.
 inline constexpr float k_widest_platform = 400;  // metres from the origin
 Result<std::vector<Vec2>> parse_platform(const std::string& text);
-std::string told_platform(const std::vector<Vec2>& corners);
+std::string told_corners(const std::vector<Vec2>& corners);
+// The same of a way: 2 to 64 corners, at most 2 km apart in all.
+Result<std::vector<Vec2>> parse_way(const std::string& text);
 
 // Names of the built-in scenes, sorted.
 std::vector<std::string> scene_names();

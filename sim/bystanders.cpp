@@ -31,8 +31,8 @@ float age_of(const World& w, uint32_t walker) { return w.kinds[w.crowd.identity.
 
 // Who goes about by itself, in full view.
 bool is_free(const World& w, uint32_t i) {
-    return !is_down(w.crowd, i) && !is_creature(w.herd, i) && !own_of(w.crowd.passages, i) &&
-           w.crowd.driven.walker != i && w.crowd.at_once[i / k_block] == 1 &&
+    return !is_down(w.crowd, i) && !is_led(w.crowd, i) && !is_creature(w.herd, i) &&
+           !own_of(w.crowd.passages, i) && w.crowd.driven.walker != i && w.crowd.at_once[i / k_block] == 1 &&
            w.crowd.way_back[i].polygon == 0 && !own_of(w.falls.all, i);
 }
 bool can_stop(const World& w, uint32_t i) {

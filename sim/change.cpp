@@ -5,6 +5,7 @@
 
 #include "sim/pose/cane.h"
 #include "sim/pose/pram.h"
+#include "sim/stepping.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -21,6 +22,7 @@ void change_ground(World& w, std::shared_ptr<const Ground> ground, NavmeshPtr me
     w.navmesh = std::move(mesh);
     w.ground = std::move(ground);
     if (answers_itself) w.around = surroundings_of(*w.ground);
+    if (w.stepping) w.stepping->ground = w.ground, w.stepping->moving.ground = w.ground.get();
 }
 
 void make_room(World& w, uint32_t capacity) {

@@ -123,8 +123,10 @@ void fall_on(World& w, Fall& f) {
 void move_root(World& w, uint32_t walker, Vec2 to, float up) {
     CrowdMotion& m = w.crowd.motion;
     const NavPoint from{m.position[walker], m.polygon[walker]};
-    const NavPoint end =
-        move_along(*w.navmesh, 0, from, at_height(to, from.position.y), by_of(w.crowd, walker));
+    const Vec3 there = at_height(to, from.position.y);
+    const NavPoint end = is_led(w.crowd, walker)
+                             ? NavPoint{there, from.polygon}  // to where there may be no mesh
+                             : move_along(*w.navmesh, 0, from, there, by_of(w.crowd, walker));
     m.position[walker] = end.position;
     m.polygon[walker] = end.polygon;
     if (const auto hit = ground_at(w.around, end.position, up, 1.5f)) {

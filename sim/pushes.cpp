@@ -7,6 +7,7 @@
 #include "sim/base/spans.h"
 #include "sim/crowd/places.h"
 #include "sim/falls.h"
+#include "sim/stepping.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -85,7 +86,7 @@ void be_pushed(World& w, uint32_t walker, Vec2 change) {
     const float carries = length(f->carried);
     f->to = normalize_or(f->carried, change / speed);
     const float times = carries / bearable_push(sturdiness_of(w, walker), f->to);
-    const bool falls = times >= 1;
+    const bool falls = times >= 1 && (!is_stepping(w, walker) || can_fall(w, walker));
     if (falls)
         f->falls_at = std::min(f->falls_at, w.tick + static_cast<uint32_t>(staggers_for(times) / k_tick));
     if (falls && f->falls_at <= w.tick) {
@@ -97,9 +98,11 @@ void be_pushed(World& w, uint32_t walker, Vec2 change) {
     constexpr float k_fastest_stagger = 1.6f;
     shove(f->sway, change);
     Vec2& velocity = w.crowd.motion.velocity[walker];
+    const Vec2 before = velocity;
     velocity += change;
     const float goes = length(velocity), most = std::max(k_fastest_stagger, goes - speed);
     if (goes > most) velocity = velocity * (most / goes);
+    if (is_stepping(w, walker)) shove(w, walker, velocity - before);
 }
 
 // Who is pushed against others keeps a part of it and gives them the rest, who do the same.

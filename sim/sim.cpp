@@ -7,6 +7,7 @@
 #include "sim/base/math.h"
 #include "sim/base/spans.h"
 #include "sim/coming/passages.h"
+#include "sim/stepping.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -351,8 +352,9 @@ bool let_jump(World& w, WalkerId id) {
 }
 
 bool push(World& w, WalkerId id, Vec2 impulse) {
-    if (!is_alive(w, id) || w.roam || w.stepping || is_creature(w.herd, id.index) ||
-        own_of(w.crowd.passages, id.index) || w.crowd.identity.ahead[id.index] > 0)
+    if (!is_alive(w, id) || w.roam || (w.stepping && w.stepping->bipeds.is_flat) ||
+        is_creature(w.herd, id.index) || own_of(w.crowd.passages, id.index) ||
+        w.crowd.identity.ahead[id.index] > 0)
         return false;
     push_walker(w, id.index, impulse / mass_of(w.gait.people[id.index / k_block], id.index % k_block));
     return true;

@@ -37,6 +37,7 @@
 #include <vector>
 
 #include "sim/animation/clip.h"
+#include "sim/ball/ball.h"
 #include "sim/base/result.h"
 #include "sim/base/tasks.h"
 #include "sim/base/vec.h"
@@ -116,9 +117,10 @@ struct WorldOptions {
     // People who are sent at their time, and leave where they are sent; beside `walkers`, and as far as
     // `capacity` lets them in.
     std::vector<Sending> sendings{};
-    float hour = 17.5f;                 // of the day, 0..24, at the first tick: who goes where
-    PassOn pass_on = PassOn::right;     // the side on which people pass who come from the other way
-    std::vector<PlannedPush> pushes{};  // that people get by and by
+    float hour = 17.5f;                  // of the day, 0..24, at the first tick: who goes where
+    PassOn pass_on = PassOn::right;      // the side on which people pass who come from the other way
+    std::vector<PlannedPush> pushes{};   // that people get by and by
+    std::vector<PlannedThrow> throws{};  // of balls at them, the same; at most k_most_balls are there at once
     // How many of those near who could help up somebody who has fallen do, 0..1; the agreeable rather than
     // others. Where it is 0 nobody minds who falls but to go round them.
     float helpers = k_usual_helpers;
@@ -171,8 +173,11 @@ bool let_jump(World& world, WalkerId id);
 // changes the speed of one of 70 kg by 0.7 m/s). It sways, or steps, or falls, lies for a moment and gets up:
 // nobody falls whose speed changes by less than k_harmless_push, all do by more than k_felling_push, and
 // between by how it stands to the push, how old, tall and sober it is (sim/fall/balance.h). False if it is
-// gone, comes in or leaves just now, pushes a pram, roams a compound or steps on a course.
+// gone, comes in or leaves just now, pushes a pram, roams a compound or steps on a course that is flat; on
+// one that is not it holds its own where it would fall off.
 bool push(World& world, WalkerId id, Vec2 impulse);
+// Throws a ball, which pushes whom it hits. Not on a compound, where it would fall for ever.
+void throw_ball(World& world, const Ball& ball);
 // Whether it falls, lies or gets up.
 bool has_fallen(const World& world, WalkerId id);
 // Ways to go without a goal of one's own, until it is sent or let do something else. All keep off walls and

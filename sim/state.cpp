@@ -28,13 +28,14 @@ struct Head {
     Driven driven{};
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
     uint32_t ways = 0, passages = 0, traffic = 0, downed = 0, falls = 0, tumbles = 0, called = 0;
-    uint32_t bystanders = 0, spare = 0;
+    uint32_t bystanders = 0, balls = 0;
     uint32_t successors = 0, next_successor = 0, sent = 0, next_sent = 0, numbered = 0, gone = 0,
              came = 0;  // of Coming
     LimbCurves how{};
     uint32_t marches = 0;
+    FigureLead lead{};
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 176, "has no gap at the end");
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 192, "has no gap at the end");
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -78,6 +79,7 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.crowd.called, head.called);
     each(w.bystanders.all, head.bystanders);
     each(w.falls.all, head.falls);
+    each(w.balls.all, head.balls);
     each(w.falls.blocks, head.tumbles);
     each(w.crowd.march.pace, head.marches);
     each(w.crowd.march.turns, head.marches);
@@ -113,6 +115,7 @@ Head head_of(const World& w) {
     head.driven = c.driven;
     head.how = c.march.how;
     head.marches = size(c.march.pace);
+    head.lead = w.figures.lead;
     head.traffic = c.traffic.done;
     head.living = size(c.slots.living);
     head.left = size(c.slots.left);
@@ -122,6 +125,7 @@ Head head_of(const World& w) {
     head.called = size(c.called);
     head.bystanders = size(w.bystanders.all);
     head.falls = size(w.falls.all);
+    head.balls = size(w.balls.all);
     head.tumbles = size(w.falls.blocks);
     for (uint32_t i = 0; i < c.count; ++i) head.corners += size(corners_ahead(c, i));
     head.canes = size(w.gait.canes);
@@ -223,6 +227,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     c.scratch.strays = head->strays;
     c.driven = head->driven;
     c.march.how = head->how;
+    w.figures.lead = head->lead;
     c.count = head->count;
     Coming& coming = w.coming;
     coming.successors.next = head->next_successor;
@@ -250,6 +255,8 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     w.linkages.previous_places = w.linkages.places;
     w.linkages.previous_targets = w.linkages.targets;
     forget_previous(w.movers);
+    w.balls.previous_places.clear();
+    for (const Ball& ball : w.balls.all) w.balls.previous_places.push_back(ball.place);
     pose_figures_anew(w.figures);
     forget_previous(w.deeds);
     return {};

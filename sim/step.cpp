@@ -94,7 +94,8 @@ void step_gait(World& w) {
             return own.begin < own.end && passage_by_door(w.crowd, static_cast<uint32_t>(i));
         };
         auto there = [&](size_t i) {
-            return is_there(w.crowd, static_cast<uint32_t>(i)) && !is_by_itself(i);
+            return is_there(w.crowd, static_cast<uint32_t>(i)) && !is_by_itself(i) &&
+                   !is_led(w.crowd, static_cast<uint32_t>(i));
         };
         for_runs(begin, end, there,
                  [&](size_t first, size_t last) { step_some(first, last, w.around, dt, is_afar); });
@@ -138,7 +139,7 @@ void step_pose(World& w) {
 
 // Gait and pose, and the end of the tick.
 void step_bodies(World& w) {
-    if (!w.stepping) timed(w, Stage::gait, [&] { step_gait(w); });
+    timed(w, Stage::gait, [&] { step_gait(w); });
     timed(w, Stage::pose, [&] {
         step_pose(w);
         step_linkages(w.linkages, *w.workers, w.tick);
@@ -187,7 +188,9 @@ void step(World& w) {
     FLANEUR_ZONE("tick");
     give_planned_pushes(w);
     step_movers(w.movers, w.tick);
+    if (!w.roam) step_balls(w);
     w.drive(w);
+    if (w.stepping) step_those_who_step(w);
     step_bodies(w);
     count_journeys(w);
 }

@@ -165,6 +165,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->drunk = options.drunk;
     world->drunks = options.drunks;
     world->pushes = options.pushes;
+    world->balls.planned = options.throws;
     world->bystanders.helpers = options.helpers;
     std::vector<Body> bodies;
     for (const Kind& kind : options.kinds) {
@@ -209,6 +210,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     go_by_curves(*world, options.limbs, options.curves);
     if (Result<void> done = set_off(*world); !done) return done.error();
     if (!world->pushes.empty()) make_room_to_fall(*world, world->crowd.capacity);
+    if (!world->balls.planned.empty()) make_room_for_balls(*world);
     if (progress) progress("setting down the walkers", 1);
     return world;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/animation/layer.h"
+#include "sim/balls.h"
 #include "sim/base/parallel_for.h"
 #include "sim/base/result.h"
 #include "sim/body/body.h"
@@ -71,6 +72,7 @@ struct World {
     Troupe figures;                      // that are people, but not of the crowd; mostly none
     Gait gait;
     ClipLayer idles;
+    Balls balls;                                      // that are thrown
     Falls falls;                                      // who has been pushed
     Bystanders bystanders;                            // and who minds
     std::vector<PoseBlock> poses, previous_poses;     // after the last tick and the one before

@@ -81,6 +81,9 @@ constexpr SceneClash k_clashes[] = {
     {"pushes", R"("pushes": nobody is pushed on the asteroid or the planets; leave it out)",
      [](const Scene& s, const Json& json) { return json.contains("pushes") && is_round(s); },
      [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"balls", R"("balls": nobody throws any on the asteroid or the planets; leave it out)",
+     [](const Scene& s, const Json& json) { return json.contains("balls") && is_round(s); },
+     [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
     {"helpers", R"("helpers": nobody falls on the asteroid or the planets; leave it out)",
      [](const Scene& s, const Json& json) { return json.contains("helpers") && is_round(s); },
      [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
@@ -125,6 +128,29 @@ constexpr SceneClash k_clashes[] = {
          return needs_built("platform", key,
                             {{key, {{"minimum", 1}}}, {"platform", {{"not", OrderedJson::object()}}}});
      }},
+    {"steppers", R"("steppers" go along a "steppers_way", which must be there)",
+     [](const Scene& s, const Json&) { return s.steppers > 0 && s.steppers_way.empty(); },
+     [](const char* key) {
+         return both({key}, {{key, {{"minimum", 1}}}, {"steppers_way", {{"not", OrderedJson::object()}}}});
+     }},
+    {"steppers_way", R"("steppers_way" is where "steppers" go, and that says how many)",
+     [](const Scene& s, const Json&) { return s.steppers == 0 && !s.steppers_way.empty(); },
+     [](const char* key) {
+         return both({key}, {{"steppers", {{"maximum", 0}}}});
+     }},
+    {"steppers", R"("steppers" are some of a city's; on a course everybody is, and on small worlds nobody)",
+     [](const Scene& s, const Json&) {
+         return s.steppers > 0 && (is_round(s) || s.built == BuiltIn::course);
+     },
+     [](const char* key) {
+         return both({"built", key},
+                     {{"built", {{"enum", {"asteroid", "planets", "course"}}}}, {key, {{"minimum", 1}}}});
+     }},
+    {"drunks", R"("drunks" are as drunk as "drunk" says; without it nobody staggers)",
+     [](const Scene& s, const Json&) { return s.drunks > 0 && s.drunk == 0; },
+     [](const char* key) {
+         return both({key}, {{key, {{"minimum", 1}}}, {"drunk", {{"maximum", 0}}}});
+     }},
     {"habit", R"("habit": who staggers does so on a platform; "built" must be "platform")",
      [](const Scene& s, const Json&) { return s.habit == Habit::stagger && s.built != BuiltIn::platform; },
      [](const char* key) {
@@ -155,9 +181,11 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return on_course(key, {{"const", "ramble"}});
      }},
-    {"pushes", R"("pushes": nobody is pushed on a course; leave it out)",
-     [](const Scene& s, const Json& json) { return json.contains("pushes") && s.built == BuiltIn::course; },
-     [](const char* key) { return on_course(key, OrderedJson::object()); }},
+    {"pushes", R"("pushes": nobody is pushed in one plane; leave it or "flat" out)",
+     [](const Scene& s, const Json& json) { return json.contains("pushes") && s.flat; },
+     [](const char* key) {
+         return both({"flat", key}, {{"flat", {{"const", true}}}});
+     }},
     {"added", R"("added" is what is put into a city, and a course is as it is)",
      [](const Scene& s, const Json& json) { return json.contains("added") && s.built == BuiltIn::course; },
      [](const char* key) { return on_course(key, OrderedJson::object()); }},

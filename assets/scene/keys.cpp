@@ -24,8 +24,9 @@ constexpr size_t k_most_depth = 8, k_most_values = 10'000;
 void read_people(SceneReading& r, Scene& scene, const Json& list);
 void read_added(SceneReading& r, Scene& scene, const Json& list);
 
-void read_pushes(SceneReading& r, Scene& scene, const Json& list) {
-    for (const Json& text : list) take_parsed(r, parse_push(text), scene.pushes.emplace_back());
+template <auto list, auto parse>
+void read_texts(SceneReading& r, Scene& scene, const Json& texts) {
+    for (const Json& text : texts) take_parsed(r, parse(text), (scene.*list).emplace_back());
 }
 
 // In the order of the schema and of docs/scenes.md.
@@ -111,6 +112,15 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "drunks", {whole, 0, 100}, "0", "2",
             "How many of the walkers, the first of them, are so drunk and stagger on the "
             "platform while the others do as is their habit. 0: all are."),
+        plain_key<&Scene::steppers>(
+            "steppers", {whole, 0, 100}, "0", "1",
+            "How many of the walkers go along \"steppers_way\" and step when they must, as on the course."),
+        {"steppers_way",
+         {text, 0, 0, corner + "( +" + corner + "){1,63} *"},
+         nullptr,
+         R"("-18,20 -18,8")",
+         "Where they go: corners X,Z in metres of a line that is closed, or of two, there and back.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_way(v), s.steppers_way); }},
         plain_key<&Scene::flat>("flat", {flag}, "false", "true",
                                 "Of the course: in one line, and everybody in one plane."),
         {"look",
@@ -148,9 +158,15 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          nullptr,
          R"(["2.5 * 60,0"])",
          "Pushes that people get: \"SECONDS WALKER X,Z\", when, who (a number, or * for everybody) and by "
-         "how "
-         "many newton seconds along the ground.",
-         read_pushes},
+         "how many newton seconds along the ground.",
+         read_texts<&Scene::pushes, parse_push>},
+        {"balls",
+         {texts, 0, 0, R"([0-9]+(\.[0-9]*)? )" + point + " " + point + R"(( [0-9]+(\.[0-9]*)?){1,2})"},
+         nullptr,
+         R"(["2 0,1.6,9 0,1.2,0 12"])",
+         "Balls thrown: \"SECONDS X,Y,Z X,Y,Z SPEED KILOGRAMS\", when, from where past where, m/s; of 4 kg "
+         "without the last.",
+         read_texts<&Scene::balls, parse_throw>},
         plain_key<&Scene::helpers>(
             "helpers", {number, 0, 1}, "0.5", "0.8",
             "How many of those who are near and could help up somebody who has fallen do; 0: nobody minds."),

@@ -36,7 +36,8 @@ std::string without_stop(std::string sentence) {
 
 }  // namespace
 
-Result<std::vector<Vec2>> parse_platform(const std::string& text) {
+// Corners X,Z; what they are of for the fault.
+static Result<std::vector<Vec2>> parse_corners(const std::string& text, const char* of) {
     std::vector<Vec2> corners;
     std::string_view left = text;
     while (!left.empty()) {
@@ -44,17 +45,40 @@ Result<std::vector<Vec2>> parse_platform(const std::string& text) {
         const bool has_comma = x && take_letter(left, ',');
         const auto z = has_comma ? take_number(left) : std::nullopt;
         if (!z || (!left.empty() && left[0] != ' '))
-            return Error{excerpt(text) +
-                         " is no outline: corners X,Z in metres with spaces between, such as -8,-5 8,-5 0,9"};
+            return Error{excerpt(text) + " is no " + of +
+                         ": corners X,Z in metres with spaces between, such as -8,-5 8,-5 0,9"};
         corners.push_back({*x, *z});
         while (take_letter(left, ' ')) {
         }
     }
-    if (const Result<Platform> platform = make_platform(corners); !platform)
+    return corners;
+}
+
+Result<std::vector<Vec2>> parse_platform(const std::string& text) {
+    Result<std::vector<Vec2>> corners = parse_corners(text, "outline");
+    if (!corners) return corners;
+    if (const Result<Platform> platform = make_platform(*corners); !platform)
         return Error{excerpt(text) + ": " + without_stop(platform.error().message)};
-    for (const Vec2 corner : corners)
+    for (const Vec2 corner : *corners)
         if (!(length(corner) <= k_widest_platform))
             return Error{excerpt(text) + ": The platform must lie within 400 m of the origin"};
+    return corners;
+}
+
+Result<std::vector<Vec2>> parse_way(const std::string& text) {
+    constexpr size_t k_most = 64;
+    constexpr float k_apart = 0.5f, k_longest = 2000;  // metres
+    Result<std::vector<Vec2>> corners = parse_corners(text, "way");
+    if (!corners) return corners;
+    if (corners->size() < 2 || corners->size() > k_most)
+        return Error{excerpt(text) + ": A way has 2 to 64 corners"};
+    float whole = 0;
+    for (size_t k = 0; k < corners->size(); ++k) {
+        const float far = length((*corners)[(k + 1) % corners->size()] - (*corners)[k]);
+        if (!(far >= k_apart)) return Error{excerpt(text) + ": Corners of a way are 0.5 m apart at least"};
+        whole += far;
+    }
+    if (!(whole <= k_longest)) return Error{excerpt(text) + ": Ways are of up to 2000 m"};
     return corners;
 }
 
@@ -84,13 +108,60 @@ Result<PlannedPush> parse_push(const std::string& text) {
     return push;
 }
 
+// The place X,Y,Z that a text begins with, which is taken away.
+static std::optional<Vec3> take_spot(std::string_view& text) {
+    Vec3 place{};
+    for (float* part : {&place.x, &place.y, &place.z}) {
+        if (part != &place.x && !take_letter(text, ',')) return std::nullopt;
+        const auto number = take_number(text);
+        if (!number || !(std::fabs(*number) <= 1e6f)) return std::nullopt;
+        *part = *number;
+    }
+    return place;
+}
+
+Result<PlannedThrow> parse_throw(const std::string& text) {
+    constexpr float k_longest = 1e5f;  // seconds
+    std::string_view left = text;
+    const auto seconds = take_number(left);
+    const auto from = seconds && take_letter(left, ' ') ? take_spot(left) : std::nullopt;
+    const auto at = from && take_letter(left, ' ') ? take_spot(left) : std::nullopt;
+    const auto speed = at && take_letter(left, ' ') ? take_number(left) : std::nullopt;
+    std::optional<float> mass = k_ball_mass;
+    if (speed && !left.empty()) mass = take_letter(left, ' ') ? take_number(left) : std::nullopt;
+    if (!speed || !mass || !left.empty() || !(*seconds >= 0 && *seconds <= k_longest))
+        return Error{excerpt(text) +
+                     " is no throw: SECONDS X,Y,Z X,Y,Z SPEED, such as 2 0,1.6,9 0,1.2,0 12, "
+                     "and kilograms after that"};
+    if (!(*speed >= k_slowest_throw && *speed <= k_fastest_throw))
+        return Error{excerpt(text) + ": Balls are thrown at 1 to 40 m/s"};
+    if (!(*mass >= k_lightest_ball && *mass <= k_heaviest_ball))
+        return Error{excerpt(text) + ": Balls have 0.05 to 20 kg"};
+    return PlannedThrow{static_cast<uint32_t>(std::lround(*seconds * k_ticks_a_second)), *from, *at, *speed,
+                        *mass};
+}
+
+std::string told_throw(const PlannedThrow& how) {
+    std::string text = plainly(static_cast<float>(how.tick) * k_tick);
+    for (const Vec3 place : {how.from, how.at})
+        text.append(" ")
+            .append(plainly(place.x))
+            .append(",")
+            .append(plainly(place.y))
+            .append(",")
+            .append(plainly(place.z));
+    text.append(" ").append(plainly(how.speed));
+    if (how.mass != k_ball_mass) text.append(" ").append(plainly(how.mass));
+    return text;
+}
+
 std::string told_push(const PlannedPush& push) {
     return plainly(static_cast<float>(push.tick) * k_tick) + " " +
            (push.walker == k_everybody ? "*" : std::to_string(push.walker)) + " " + plainly(push.impulse.x) +
            "," + plainly(push.impulse.z);
 }
 
-std::string told_platform(const std::vector<Vec2>& corners) {
+std::string told_corners(const std::vector<Vec2>& corners) {
     std::string text;
     for (const Vec2 corner : corners)
         text.append(text.empty() ? "" : " ").append(plainly(corner.x)).append(",").append(plainly(corner.z));

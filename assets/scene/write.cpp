@@ -40,9 +40,10 @@ Json added_of(const std::vector<Addition>& added) {
     return list;
 }
 
-Json pushes_of(const std::vector<PlannedPush>& pushes) {
+template <class Item>
+Json texts_of(const std::vector<Item>& items, std::string (*told)(const Item&)) {
     Json list = Json::array();
-    for (const PlannedPush& push : pushes) list.push_back(told_push(push));
+    for (const Item& item : items) list.push_back(told(item));
     return list;
 }
 
@@ -66,7 +67,7 @@ std::string scene_text(const Scene& s) {
     if (s.center) json["center"] = plainly(s.center->latitude) + "," + plainly(s.center->longitude);
     tell("radius", short_number(s.radius), s.radius > 0);
     tell("built", k_built_in_names[static_cast<int>(s.built)], s.built != usual.built);
-    tell("platform", told_platform(s.platform), !s.platform.empty());
+    tell("platform", told_corners(s.platform), !s.platform.empty());
     tell("rock", s.rock, !s.rock.empty());
     tell("terrain", s.terrain, !s.terrain.empty());
     tell("scale", short_number(s.scale), s.scale != usual.scale);
@@ -78,13 +79,16 @@ std::string scene_text(const Scene& s) {
     tell("limbs", k_limb_lead_names[static_cast<int>(s.limbs)], s.limbs != usual.limbs);
     tell("drunk", short_number(s.drunk), s.drunk > 0);
     tell("drunks", s.drunks, s.drunks > 0);
+    tell("steppers", s.steppers, s.steppers > 0);
+    tell("steppers_way", told_corners(s.steppers_way), !s.steppers_way.empty());
     tell("flat", s.flat, s.flat);
     if (s.look) json["look"] = told_spot(*s.look);
     tell("people", people_of(s.people), !s.people.empty());
     for (const MixKey& of : k_mix)
         tell(of.name, short_number(s.mix.*of.times), s.mix.*of.times != usual.mix.*of.times);
     tell("added", added_of(s.added), !s.added.empty());
-    tell("pushes", pushes_of(s.pushes), !s.pushes.empty());
+    tell("pushes", texts_of(s.pushes, told_push), !s.pushes.empty());
+    tell("balls", texts_of(s.balls, told_throw), !s.balls.empty());
     tell("helpers", short_number(s.helpers), s.helpers != usual.helpers);
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);

@@ -200,6 +200,8 @@ static WayWish wish_of(const Goer& g) {
             return flee(g);
         case Wayfarer::Kind::ramble:
             return ramble(g);
+        case Wayfarer::Kind::is_led:
+            return {g.c.motion.wish[g.i], false};
         case Wayfarer::Kind::stagger:
             break;
     }

@@ -183,6 +183,12 @@ void drive(Crowd& c, uint32_t i) {
 
 bool is_down(const Crowd& c, uint32_t i) { return !c.downed.empty() && own_of(c.downed, i) != nullptr; }
 
+bool is_led(const Crowd& c, uint32_t i) {
+    if (c.journeys[i].errand != Errand::by_way) return false;
+    const Wayfarer* way = own_of(c.wayfarers, i);
+    return way && way->kind == Wayfarer::Kind::is_led;
+}
+
 void go_down(Crowd& c, uint32_t i) {
     turn_back(c, i);
     (void)take_away(c.called, i);

@@ -48,8 +48,8 @@ enum class Errand : uint8_t {
 // How one goes who goes about no errand of its own.
 struct Wayfarer {
     // After somebody; to its goal, waiting for somebody who comes along; away from somebody; by rays among
-    // walls; along circles on a platform.
-    enum class Kind : uint32_t { follow, lead, flee, ramble, stagger };
+    // walls; along circles on a platform; or as somebody else moves it (sim/stepping.h).
+    enum class Kind : uint32_t { follow, lead, flee, ramble, stagger, is_led };
     uint32_t walker = 0;
     Kind kind = Kind::follow;
     uint32_t waits = 0;  // 1: for the one it leads
@@ -370,6 +370,8 @@ void go_down(Crowd& crowd, uint32_t walker);
 void lie_across(Crowd& crowd, const Downed& how);
 void get_up(Crowd& crowd, uint32_t walker);
 bool is_down(const Crowd& crowd, uint32_t walker);
+// Whether others than the crowd move it.
+bool is_led(const Crowd& crowd, uint32_t walker);
 
 // From now on a walker goes where it is called to, and stands there; and on about its errand. Nobody is
 // called who is driven, down, or comes in or leaves just now.

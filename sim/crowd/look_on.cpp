@@ -8,7 +8,7 @@ namespace flaneur {
 
 // Metres from a walker to the nearest eye, squared.
 static float nearest_eye2(const Crowd& c, uint32_t i) {
-    if (i == c.driven.walker) return 0;
+    if (i == c.driven.walker || is_led(c, i)) return 0;
     float nearest = std::numeric_limits<float>::max();
     for (const Vec3 eye : c.onlookers.eyes)
         nearest = std::min(nearest, length_squared(c.motion.position[i] - eye));

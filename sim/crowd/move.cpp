@@ -206,6 +206,17 @@ static Vec2 turns_pram_to(const Contacts& near, float heading, Vec2 wanted) {
     return heading_direction(heading + (more ? -k_pi / 2 : k_pi / 2));
 }
 
+// Of one that others move: only so far as those whom it touches, or would step into, shift it.
+static void shift_led(Crowd& c, uint32_t at, float dt) {
+    CrowdMotion& m = c.motion;
+    const uint32_t i = c.scratch.seen.all[at].id;
+    const Contacts near = contacts_of(c, at, m.velocity[i], dt);
+    Vec2 step = m.velocity[i] + near.push;
+    if (share_within(near, step) < 1)
+        step = best_velocity(near.planes, near.count, near.count, length(step), step);
+    m.position[i] += at_height((step - m.velocity[i]) * dt, 0);
+}
+
 // All but the height of the ground where it comes to.
 static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, float dt) {
     uint32_t i = c.scratch.seen.all[at].id;
@@ -214,6 +225,7 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
         m.velocity[i] = m.wish[i] = {};
         return;
     }
+    if (is_led(c, i)) return shift_led(c, at, dt);
     const bool pushes = c.identity.ahead[i] > 0;
     const By by = pushes ? By::wheels : By::feet;
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);

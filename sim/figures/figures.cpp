@@ -41,14 +41,40 @@ Manner manner_of(const FigurePlan& plan) {
     return manner;
 }
 
+// Of a wish only what leads neither off the ground, nor into a wall or another figure.
+Vec2 kept_off(const Troupe& f, size_t figure, Vec2 wish) {
+    constexpr float k_radius = 0.3f, k_chest = 1, k_ahead_of_edge = 0.35f, k_step = 0.25f;  // metres
+    const Vec3 here = f.moves[figure].position;
+    auto keep = [&](Vec2 out) { wish -= out * std::min(dot(wish, out), 0.0f); };
+    if (const auto wall = closest_wall(*f.ground, here + Vec3{0, k_chest, 0}, k_radius))
+        keep(on_ground(wall->normal));
+    for (size_t i = 0; i < f.moves.size(); ++i) {
+        const Vec2 away = on_ground(here - f.moves[i].position);
+        if (i != figure && length(away) < 2 * k_radius) keep(normalize_or(away, {0, 1}));
+    }
+    const float speed = length(wish);
+    if (speed < 1e-3f) return wish;
+    const auto next =
+        ground_at(*f.ground, here + at_height(wish * (k_ahead_of_edge / speed), 0), k_step, k_step);
+    return next ? wish : Vec2{};
+}
+
 // One tick of where it goes.
-void move(const FigurePlan& plan, const Ground& ground, const FigureWish& want, float stairs, FigureMove& m) {
+void move(const Troupe& f, size_t figure, const FigureWish& want, FigureMove& m) {
+    const FigurePlan& plan = f.plans[figure];
+    const Ground& ground = *f.ground;
+    const float stairs = stair_pace(leg_length(f.bodies[figure]));
     const Surroundings around = surroundings_of(ground);
     const Vec2 here = on_ground(m.position);
-    Vec2 aim = on_way(plan.way, m.along);
-    constexpr float k_on = 0.05f;  // metres
-    for (int n = 0; n < 8 && length(aim - here) < k_ahead; ++n) aim = on_way(plan.way, m.along += k_on);
-    Vec2 wish = normalize_or(aim - here, {0, 1}) * want.speed;
+    Vec2 wish = f.lead.wish;
+    if (f.lead.figure == figure) {
+        wish = kept_off(f, figure, wish);
+    } else {
+        Vec2 aim = on_way(plan.way, m.along);
+        constexpr float k_on = 0.05f;  // metres
+        for (int n = 0; n < 8 && length(aim - here) < k_ahead; ++n) aim = on_way(plan.way, m.along += k_on);
+        wish = normalize_or(aim - here, {0, 1}) * want.speed;
+    }
     GroundHit under = ground_at(ground, m.position).value_or(GroundHit{});
     under = slowing_ground(around, under, m.position, m.motion.velocity, want.speed, stairs);
     wish = wish_on(under, wish, stairs);
@@ -180,6 +206,12 @@ void pose_figures_anew(Troupe& f) {
     f.previous_poses = f.poses;
 }
 
+void lead_figure(Troupe& f, uint32_t figure) { f.lead = {.figure = figure}; }
+
+void leap(Troupe& f) {
+    if (f.lead.figure != k_no_twin) jump(f.gait, f.lead.figure);
+}
+
 void step_figures(Troupe& f, uint64_t seed, uint32_t tick) {
     const size_t count = f.plans.size();
     if (count == 0) return;
@@ -191,8 +223,9 @@ void step_figures(Troupe& f, uint64_t seed, uint32_t tick) {
             f.moves[i].position += f.plans[i].aside;
             continue;
         }
-        const FigureWish want = figure_wish(f.plans[i], tick);
-        move(f.plans[i], *f.ground, want, stair_pace(leg_length(f.bodies[i])), f.moves[i]);
+        FigureWish want = figure_wish(f.plans[i], tick);
+        if (f.lead.figure == i) want = {length(f.lead.wish), f.lead.creeps != 0 ? 1.0f : 0.0f, false};
+        move(f, i, want, f.moves[i]);
         if (want.leaps) jump(f.gait, i);
     }
     const RootMotion root = told(f.moves, f.rows);

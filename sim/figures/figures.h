@@ -53,6 +53,13 @@ struct FigureRows {
     std::vector<float> heading, turn_rate, brakes;
 };
 
+// One who goes where somebody says, and no way of its own.
+struct FigureLead {
+    uint32_t figure = k_no_twin;  // k_no_twin: nobody
+    Vec2 wish{};                  // m/s
+    uint32_t creeps = 0;          // 1: by the key poses that creep, if keys make it
+};
+
 struct Troupe {
     std::vector<FigurePlan> plans;
     std::shared_ptr<const Ground> ground;
@@ -60,6 +67,7 @@ struct Troupe {
     std::vector<BlendTree> trees;  // of each; empty where no keys make it
     std::vector<LocalPose> keys;   // of each, of which statues are
     std::vector<FigureMove> moves;
+    FigureLead lead;
     Gait gait;
     std::vector<PoseBlock> whole, before;          // as the gait has them, after the last tick and before
     std::vector<PoseBlock> poses, previous_poses;  // as they are seen, the same
@@ -80,6 +88,11 @@ FigureWish figure_wish(const FigurePlan& plan, uint32_t tick);
 // Standing at the start of their ways. `bodies` are of the plans' kinds.
 Troupe make_figures(std::vector<FigurePlan> plans, std::shared_ptr<const Ground> ground,
                     const std::vector<Body>& bodies, uint64_t seed);
+// One that keys make goes as `lead` says from now on, or k_no_twin: all go their ways, from where they are.
+// It stays on its ground, off walls and out of the others.
+void lead_figure(Troupe& figures, uint32_t figure);
+// It leaps with its next step.
+void leap(Troupe& figures);
 // A tick, which allocates nothing.
 void step_figures(Troupe& figures, uint64_t seed, uint32_t tick);
 // What follows from moves and gait, after these were written over.

@@ -44,20 +44,6 @@ uint32_t mover_under(const StandingOn& on, Vec3 at) {
     return hit && std::fabs(hit->point.y - at.y) <= k_on_it ? hit->mover : k_still_ground;
 }
 
-// In the frame of what bears it.
-Foothold bound(const StandingOn& on, const FootPlace& place) {
-    Foothold hold{k_still_ground, place.position, place.yaw, place.normal};
-    const uint32_t mover = mover_under(on, place.position);
-    if (mover == k_still_ground) return hold;
-    const Placement& frame = on.ground.movers->places[mover];
-    const Vec3 ahead = rotate(frame.turn, {0, 0, 1});
-    hold.mover = mover;
-    hold.place = to_own(frame, place.position);
-    hold.yaw = wrap_angle(place.yaw - heading_of(on_ground(ahead)));
-    hold.normal = rotate(conjugate(frame.turn), place.normal);
-    return hold;
-}
-
 // Where it will be in so many ticks.
 Vec3 later(const StandingOn& on, const Foothold& own, uint32_t ticks) {
     if (own.mover == k_still_ground) return own.place;
@@ -116,6 +102,19 @@ bool suits(const StandingOn& on, const Seeker& who, const FootPlace& place) {
 }
 
 }  // namespace
+
+Foothold bound(const StandingOn& on, const FootPlace& place) {
+    Foothold hold{k_still_ground, place.position, place.yaw, place.normal};
+    const uint32_t mover = mover_under(on, place.position);
+    if (mover == k_still_ground) return hold;
+    const Placement& frame = on.ground.movers->places[mover];
+    const Vec3 ahead = rotate(frame.turn, {0, 0, 1});
+    hold.mover = mover;
+    hold.place = to_own(frame, place.position);
+    hold.yaw = wrap_angle(place.yaw - heading_of(on_ground(ahead)));
+    hold.normal = rotate(conjugate(frame.turn), place.normal);
+    return hold;
+}
 
 Foothold in_world(const Movers& movers, const Foothold& own) {
     if (own.mover == k_still_ground) return own;

@@ -33,6 +33,9 @@ struct Seeker {
     bool gathers = false;  // it may come down wherever it is, if only beside the other
 };
 
+// What stands at a place, in the frame of what bears it there.
+Foothold bound(const StandingOn& on, const FootPlace& place);
+
 // Where a ray down meets what one walks on, no farther up or down from `height` than legs step; the highest
 // that it meets, or else the highest within a step.
 std::optional<Vec3> ray_down(const StandingOn& on, Vec2 at, float height, float leg);

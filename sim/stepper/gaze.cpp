@@ -9,8 +9,8 @@ void turn_heads(const Bipeds& bipeds, std::vector<PoseBlock>& poses) {
     constexpr float k_neck = 0.4f;  // of the whole
     for (size_t i = 0; i < bipeds.all.size(); ++i) {
         const Biped& b = bipeds.all[i];
-        if (b.gaze == Vec2{}) continue;
-        Posed pose{poses[i / k_block], i % k_block};
+        if (b.gaze == Vec2{} || b.is_down != 0) continue;
+        Posed pose{poses[bipeds.walkers[i] / k_block], bipeds.walkers[i] % k_block};
         const Quat body = rotation_y(b.heading);
         auto turned = [&](float share) {
             // About the body's own axes; up is a turn of the nose towards +y.

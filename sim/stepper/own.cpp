@@ -19,9 +19,10 @@ constexpr float k_higher = 0.9f,
 }  // namespace
 
 Own own_of(Bipeds& bipeds, size_t i, Gait& gait, const StandingOn& on) {
-    const PersonBlock& p = gait.people[i / k_block];
-    const int lane = static_cast<int>(i % k_block);
-    return {bipeds, bipeds.all[i], i,  gait.blocks[i / k_block],
+    const uint32_t walker = bipeds.walkers[i];
+    const PersonBlock& p = gait.people[walker / k_block];
+    const int lane = static_cast<int>(walker % k_block);
+    return {bipeds, bipeds.all[i], i,  gait.blocks[walker / k_block],
             p,      lane,          on, p.joints[left_upper_leg][1][lane]};
 }
 
@@ -54,7 +55,9 @@ float off(const Own& o, Side side, Vec2 place) {
     const float ball = foot_size(o.p, o.lane).ball;
     const Vec2 here = on_ground(at.place), ahead = heading_direction(at.yaw),
                wanted = heading_direction(yaw_of(o, side, 0));
-    auto far = [&](Vec2 way) { return length(way - o.b.ahead * std::min(dot(way, o.b.ahead), 0.0f)); };
+    auto far = [&](Vec2 way) {
+        return length(o.b.reels > 0 ? way : way - o.b.ahead * std::min(dot(way, o.b.ahead), 0.0f));
+    };
     return std::max(far(place - here), far(place + wanted * ball - here - ahead * ball));
 }
 
@@ -90,6 +93,7 @@ Seeker seeker(const Own& o, Side side) {
     who.is_flat = o.bipeds.is_flat;
     who.others = o.bipeds.was_feet;
     who.own = o.number;
+    who.gathers = o.b.reels > 0;
     return who;
 }
 

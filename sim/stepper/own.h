@@ -12,7 +12,7 @@ inline constexpr uint32_t k_both_down = 2;  // Biped::swings
 struct Own {
     const Bipeds& bipeds;
     Biped& b;
-    size_t number;
+    size_t number;  // among the bipeds
     GaitBlock& g;
     const PersonBlock& p;
     int lane;

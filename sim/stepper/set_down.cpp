@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "sim/base/rng.h"
 #include "sim/stepper/own.h"
@@ -10,8 +11,11 @@ namespace {
 constexpr float k_set_apart = 1.15f;  // metres, as they are set down
 
 // Stands it at so many metres of its way, if both feet find still ground there.
-bool set_down(const Own& o, float along) {
+bool set_down(const Own& o, float along, std::span<const Vec2> others) {
+    constexpr float k_off_others = 0.7f;  // metres
     const WayPoint at = point_on(o.bipeds.ways[o.b.way], along);
+    for (const Vec2 other : others)
+        if (length(other - at.place) < k_off_others) return false;
     o.b.along = along;
     o.b.point = o.b.body = at.place;
     o.b.ahead = at.ahead;
@@ -32,11 +36,15 @@ bool set_down(const Own& o, float along) {
 
 }  // namespace
 
-SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes, bool is_flat,
-                    const MovingGround& ground, Gait& gait, uint64_t seed) {
+SetDown make_bipeds(std::vector<BipedWay> ways, std::vector<uint32_t> walkers,
+                    const std::vector<float>& likes, bool is_flat, const MovingGround& ground, Gait& gait,
+                    uint64_t seed, std::span<const Vec2> others) {
     SetDown made;
     Bipeds& bipeds = made.bipeds;
     bipeds.ways = std::move(ways);
+    bipeds.walkers = std::move(walkers);
+    bipeds.room.assign(likes.size(), k_all_room);
+    bipeds.aside.assign(likes.size(), 0.0f);
     bipeds.is_flat = is_flat;
     bipeds.all.resize(likes.size());
     bipeds.was_along.resize(likes.size());
@@ -61,7 +69,8 @@ SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes,
         const float least = last[b.way] < 0 ? even : std::max(even, last[b.way] + k_set_apart);
         const float most = last[b.way] < 0 ? even + whole : first[b.way] + whole - k_set_apart;
         bool stands = false;
-        for (float along = least; !stands && along <= most; along += k_step) stands = set_down(o, along);
+        for (float along = least; !stands && along <= most; along += k_step)
+            stands = set_down(o, along, others);
         if (!stands) break;
         if (last[b.way] < 0) first[b.way] = b.along;
         last[b.way] = b.along;
@@ -75,6 +84,41 @@ SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes,
         look_for_places(o);
     }
     return made;
+}
+
+void go_on_standing(Bipeds& bipeds, size_t i, Vec2 body, float heading, const MovingGround& ground,
+                    Gait& gait, uint32_t tick) {
+    const Surroundings around = surroundings_of(ground);
+    const StandingOn on{ground, around, tick};
+    Biped& b = bipeds.all[i];
+    const Own o = own_of(bipeds, i, gait, on);
+    b.is_down = 0;
+    b.body = b.point = body;
+    b.along = nearest_along(bipeds.ways[b.way], body);
+    b.aside = 0;
+    b.heading = heading;
+    b.ahead = heading_direction(heading);
+    b.velocity = {};
+    b.speed = b.turn_rate = b.due = 0;
+    b.waits = 0;
+    b.reels = 0;
+    b.swings = k_both_down;
+    for (const Side side : {k_left, k_right})
+        b.feet[side] = bound(on, get_place(o.g.feet[side].from, o.lane));
+    o.g.standing[o.lane] = 1;
+    b.reach = reach_of(o, 0);
+    look_for_places(o);
+}
+
+void shove(Bipeds& bipeds, size_t i, Vec2 change, const Gait& gait) {
+    const uint32_t walker = bipeds.walkers[i];
+    const float leg = gait.people[walker / k_block].joints[left_upper_leg][1][walker % k_block];
+    constexpr float k_reels = 0.9f, k_least = 0.3f;  // seconds; m/s, less is answered at ankles and hips
+    Biped& b = bipeds.all[i];
+    b.velocity += change;
+    if (length(change) < k_least) return;
+    b.point += change / std::sqrt(k_gravity / leg);
+    b.reels = k_reels;
 }
 
 }  // namespace flaneur

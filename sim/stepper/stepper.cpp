@@ -15,12 +15,14 @@ namespace flaneur {
 namespace {
 
 constexpr float k_both_least = 0.22f;                 // of a step's time, that both are down at least
+constexpr float k_both_reeling = 0.06f;               // seconds, the same of who was pushed
 constexpr float k_lead = 0.62f, k_lead_eases = 0.2f;  // legs that the point is ahead of the body at most
 constexpr float k_hangs = 0.07f;  // legs that it draws the body off the middle of the feet
 constexpr float k_follows = 6;    // 1/s, of the body
 constexpr float k_speeds_up = 0.9f, k_slows_down = 1.6f;             // m/s2, of the point
 constexpr float k_turns = 1.5f, k_turns_in = 6, k_turn_gain = 3.5f;  // rad/s, rad/s2, 1/s
 constexpr float k_apart = 0.5f, k_apart_eases = 0.9f;                // metres from who is ahead
+constexpr float k_goes_aside = 0.4f;                                 // m/s, off its way and back
 constexpr float k_brakes = 4;                                        // m/s2, of who finds no place
 constexpr float k_just_below = 1e-4f, k_phase_rate = 4.5f;           // as the gait has them
 constexpr float k_stands_below = 0.07f;                              // m/s
@@ -47,9 +49,10 @@ void carry(const Own& o) {
 float gap_ahead(const Own& o) {
     const Bipeds& all = o.bipeds;
     const float whole = all.ways[o.b.way].along.back();
-    float least = whole;
+    float least = std::min(whole, all.room[o.number]);
     for (size_t i = 0; i < all.all.size(); ++i) {
-        if (i == o.number || all.all[i].way != o.b.way || i == all.orders.driven) continue;
+        if (i == o.number || all.all[i].way != o.b.way || i == all.orders.driven || all.all[i].is_down)
+            continue;
         float ahead = all.was_along[i] - all.was_along[o.number];
         ahead -= whole * std::floor(ahead / whole);
         // From the point to the body ahead.
@@ -78,6 +81,11 @@ float wanted_speed(const Own& o) {
 
 void move_point(const Own& o) {
     Biped& b = o.b;
+    if (b.reels > 0) {
+        b.reels -= k_tick;
+        b.speed = 0;
+        return;
+    }
     const BipedOrders& orders = o.bipeds.orders;
     const BipedWay& way = o.bipeds.ways[b.way];
     float speed = wanted_speed(o);
@@ -102,10 +110,12 @@ void move_point(const Own& o) {
         return;
     }
     // Who was driven off comes back to the way.
-    const WayPoint here = point_on(way, b.along);
-    const float astray = length(here.place - b.point);
+    approach(b.aside, o.bipeds.aside[o.number], k_goes_aside * k_tick);
+    auto place_of = [&](const WayPoint& at) { return at.place + Vec2{at.ahead.z, -at.ahead.x} * b.aside; };
+    const float astray = length(place_of(point_on(way, b.along)) - b.point);
     if (astray < 0.25f) b.along += b.speed * k_tick;
-    const WayPoint next = point_on(way, b.along);
+    WayPoint next = point_on(way, b.along);
+    next.place = place_of(next);
     const float most = b.speed * k_tick + 0.004f;
     const Vec2 to = next.place - b.point;
     const bool is_near = length(to) <= most;
@@ -131,7 +141,7 @@ void move_body(const Own& o) {
     const Vec2 push = (target - b.body) * (k_follows * k_follows) + (goes - b.velocity) * (2 * k_follows);
     b.velocity += push * k_tick;
     b.body += b.velocity * k_tick;
-    const float turn = wrap_angle(heading_of(b.ahead) - b.heading);
+    const float turn = b.reels > 0 ? 0 : wrap_angle(heading_of(b.ahead) - b.heading);
     const float rate = clamp(turn * k_turn_gain, -k_turns, k_turns);
     b.turn_rate += clamp(rate - b.turn_rate, -k_turns_in * k_tick, k_turns_in * k_tick);
     b.heading = wrap_angle(b.heading + b.turn_rate * k_tick);
@@ -300,7 +310,7 @@ void check_range(const Own& o) {
     }
     g.first[lane] = -1;
     const float share = clamp((away[side] - b.apart) / std::max(b.reach - b.apart, 0.02f), 0, 1);
-    const float most = k_tick / (k_both_least * b.lasts);
+    const float most = k_tick / (b.reels > 0 ? k_both_reeling : k_both_least * b.lasts);
     b.due = std::min(b.due + most, std::max(share, b.due));
     approach_phase(o, side, std::min(lerp(0.5f, duty, b.due), duty - k_just_below), k_phase_rate);
     approach_phase(o, o.other(side), lerp(0, duty - 0.5f, b.due), k_phase_rate);
@@ -373,10 +383,12 @@ void fill_rows(const Own& o, StepperRows& rows) {
 
 void step_block(Bipeds& bipeds, const StandingOn& on, Gait& gait, size_t first, size_t last, uint64_t seed,
                 uint32_t tick) {
-    GaitBlock& g = gait.blocks[first / k_block];
-    const PersonBlock& p = gait.people[first / k_block];
+    const size_t block = bipeds.walkers[first] / k_block;
+    GaitBlock& g = gait.blocks[block];
+    const PersonBlock& p = gait.people[block];
     StepperRows rows{};
     for (size_t i = first; i < last; ++i) {
+        if (bipeds.all[i].is_down != 0) continue;
         const Own o = own_of(bipeds, i, gait, on);
         carry(o);
         move_point(o);
@@ -391,6 +403,7 @@ void step_block(Bipeds& bipeds, const StandingOn& on, Gait& gait, size_t first, 
     find_misfits(g, p, rows);
     advance_paces(g, p, rows, k_tick);
     for (size_t i = first; i < last; ++i) {
+        if (bipeds.all[i].is_down != 0) continue;
         const Own o = own_of(bipeds, i, gait, on);
         step_feet(o);
         turn_gaze(o);
@@ -406,8 +419,9 @@ void step_block(Bipeds& bipeds, const StandingOn& on, Gait& gait, size_t first, 
 
 float off_wanted(const Bipeds& bipeds, const Gait& gait, size_t biped, Side side) {
     const Biped& b = bipeds.all[biped];
-    const FootPlaces& at = gait.blocks[biped / k_block].feet[side].from;
-    const size_t lane = biped % k_block;
+    const uint32_t walker = bipeds.walkers[biped];
+    const FootPlaces& at = gait.blocks[walker / k_block].feet[side].from;
+    const size_t lane = walker % k_block;
     return length(on_ground(b.wanted[side]) - Vec2{at.x[lane], at.z[lane]});
 }
 
@@ -426,9 +440,16 @@ void step_bipeds(Bipeds& bipeds, const MovingGround& ground, Gait& gait, Workers
     }
     const Surroundings around = surroundings_of(ground);
     const StandingOn on{ground, around, tick + 1};
-    parallel_for(workers, block_count(count), 1, [&](size_t begin, size_t end, int) {
-        for (size_t block = begin; block < end; ++block)
-            step_block(bipeds, on, gait, block * k_block, std::min(count, (block + 1) * k_block), seed, tick);
+    const size_t blocks = count == 0 ? 0 : bipeds.walkers.back() / k_block + 1;
+    parallel_for(workers, blocks, 1, [&](size_t begin, size_t end, int) {
+        for (size_t block = begin; block < end; ++block) {
+            auto first = [&](size_t walker) {
+                return static_cast<size_t>(std::ranges::lower_bound(bipeds.walkers, walker) -
+                                           bipeds.walkers.begin());
+            };
+            const size_t from = first(block * k_block), to = first((block + 1) * k_block);
+            if (from < to) step_block(bipeds, on, gait, from, to, seed, tick);
+        }
     });
 }
 

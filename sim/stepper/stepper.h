@@ -12,15 +12,16 @@
 // the frame of the mover that it stands on. How the body sinks, leans and swings is the gait's and the
 // pose's.
 //
-//     Gait gait;                                     // started with as many, on surroundings_of(ground)
-//     Bipeds bipeds = make_bipeds(ways, gait, root, seed);
+//     Gait gait;                                     // started, on surroundings_of(ground)
+//     SetDown made = make_bipeds(ways, walkers, likes, false, {&ground, &movers}, gait, seed);
 //     for (uint32_t tick = 0;; ++tick) {
 //         step_movers(movers, tick);
-//         step_bipeds(bipeds, {&ground, &movers}, gait, workers, seed, tick);
+//         step_bipeds(made.bipeds, {&ground, &movers}, gait, workers, seed, tick);
 //     }
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/base/parallel_for.h"
@@ -64,17 +65,20 @@ struct Biped {
     Vec2 ahead{0, 1};         // where it leads, unit
     Vec2 body{}, velocity{};  // of the root; m/s over what bears it
     float heading = 0, turn_rate = 0;
-    Foothold feet[2];     // where they stand, or stood before they left
-    Foothold target{};    // of the one in the air
-    uint32_t swings = 2;  // Side of that, or 2: both are down
-    float lasts = 0.5f;   // seconds, of its step
-    float share = 0;      // of that, gone by
-    float due = 0;        // share of the time that both are down, 0: one has landed .. 1: the next may leave
-    float apart = 0;      // metres from the place wanted to the farther foot, as one landed
-    Vec3 wanted[2];       // where each foot is wanted, on what the ray meets
-    uint32_t meets[2]{};  // 1: it met something that one walks on within a leg's range
-    float reach = 0;      // metres
-    uint32_t waits = 0;   // ticks since it wanted to step and found no place
+    Foothold feet[2];      // where they stand, or stood before they left
+    Foothold target{};     // of the one in the air
+    uint32_t swings = 2;   // Side of that, or 2: both are down
+    float lasts = 0.5f;    // seconds, of its step
+    float share = 0;       // of that, gone by
+    float due = 0;         // share of the time that both are down, 0: one has landed .. 1: the next may leave
+    float apart = 0;       // metres from the place wanted to the farther foot, as one landed
+    Vec3 wanted[2];        // where each foot is wanted, on what the ray meets
+    uint32_t meets[2]{};   // 1: it met something that one walks on within a leg's range
+    float reach = 0;       // metres
+    uint32_t waits = 0;    // ticks since it wanted to step and found no place
+    float aside = 0;       // metres to the left of its way that it goes
+    float reels = 0;       // seconds for which it still does nothing but step after a push
+    uint32_t is_down = 0;  // 1: it lies or gets up, and others move it
     // Radians that the head is turned to what it looks at, up and to the left, and how fast, 1/s.
     Vec2 gaze{}, gaze_rate{};
 };
@@ -92,6 +96,9 @@ struct BipedOrders {
 struct Bipeds {
     std::vector<BipedWay> ways;
     std::vector<Biped> all;
+    std::vector<uint32_t> walkers;  // by biped, ascending: whose block and lane of the gait it has
+    // By biped, as others leave it: metres that it has ahead, and how far to the left of its way it is to go.
+    std::vector<float> room, aside;
     BipedOrders orders;
     bool is_flat = false;  // each in one vertical plane, as the document has it
     // Of one tick alone: places on their ways, and metres from body to point.
@@ -99,14 +106,25 @@ struct Bipeds {
     std::vector<Vec2> was_feet;  // three each: where they stand, and where one is about to
 };
 
-// Set down along their ways, in turns, where both feet find still ground. `gait` has as many, whose feet are
-// placed anew; `likes` are their speeds, m/s. How many found room may be fewer.
+inline constexpr float k_all_room = 1e9f;  // Bipeds::room where nobody else is
+
+// Set down along their ways, in turns, where both feet find still ground. Of the gait they have those
+// `walkers`, ascending, whose feet are placed anew, and not where `others` stand; `likes` are their speeds,
+// m/s. How many found room may be fewer.
 struct SetDown {
     Bipeds bipeds;
     size_t placed = 0;
 };
-SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes, bool is_flat,
-                    const MovingGround& ground, Gait& gait, uint64_t seed);
+SetDown make_bipeds(std::vector<BipedWay> ways, std::vector<uint32_t> walkers,
+                    const std::vector<float>& likes, bool is_flat, const MovingGround& ground, Gait& gait,
+                    uint64_t seed, std::span<const Vec2> others = {});
+
+// One goes on from where its feet have come to, as the gait has them, with its body at `body`.
+void go_on_standing(Bipeds& bipeds, size_t biped, Vec2 body, float heading, const MovingGround& ground,
+                    Gait& gait, uint32_t tick);
+// A push changes how fast its body goes, m/s: it steps to where that would come to rest (the extrapolated
+// centre of mass x + v / sqrt(g / l): Hof, Gazendam & Sinke 2005).
+void shove(Bipeds& bipeds, size_t biped, Vec2 change, const Gait& gait);
 
 // A tick, after the movers'. Allocates nothing; the same on any number of threads.
 void step_bipeds(Bipeds& bipeds, const MovingGround& ground, Gait& gait, Workers& workers, uint64_t seed,

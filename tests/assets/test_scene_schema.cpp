@@ -274,6 +274,10 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
         plain.camera.kind = is_elsewhere ? CameraChoice::Kind::overview : CameraChoice::Kind::street;
         plain.habit = key == "limbs" ? Habit::ramble : Habit::wander;
         if (key == "limbs") one["habit"] = "ramble";
+        // And these each other.
+        for (const auto& [a, b] :
+             {std::pair{"steppers", "steppers_way"}, {"steppers_way", "steppers"}, {"drunks", "drunk"}})
+            if (key == a) one[b] = keys[b]["examples"][0];
         Result<Scene> scene = parse_scene(one.dump(), "it");
         ASSERT_TRUE(scene) << scene.error().message;
         EXPECT_EQ(*scene == plain, key == "$schema") << key;

@@ -38,7 +38,7 @@ TEST(PlatformStage, IsGroundWithinItsOutlineAndWaterBesideIt) {
         const RandomKey key{7, n, 0, Purpose::city};
         const std::vector<Vec2> outline = random_outline(key);
         const Result<City> city = build_platform(outline);
-        ASSERT_TRUE(city) << city.error().message << " " << told_platform(outline);
+        ASSERT_TRUE(city) << city.error().message << " " << told_corners(outline);
         const Result<Platform> platform = make_platform(outline);
         ASSERT_TRUE(platform);
         for (uint32_t k = 0; k < 200; ++k) {
@@ -48,7 +48,7 @@ TEST(PlatformStage, IsGroundWithinItsOutlineAndWaterBesideIt) {
             if (std::fabs(room) < 0.01f) continue;
             const auto hit = ground_at(city->ground, at_height(p, 0.1f), 0.5f, 2);
             ASSERT_TRUE(hit);
-            EXPECT_EQ(hit->kind, room > 0 ? Surface::plaza : Surface::water) << told_platform(outline);
+            EXPECT_EQ(hit->kind, room > 0 ? Surface::plaza : Surface::water) << told_corners(outline);
             EXPECT_GT(hit->normal.y, 0.99f);
         }
         // Its sides look outward.
@@ -59,7 +59,7 @@ TEST(PlatformStage, IsGroundWithinItsOutlineAndWaterBesideIt) {
                        c = sides.vertices[sides.indices[t + 2]].position;
             const Vec2 outward = on_ground(normalize_or(cross(b - a, c - a), {0, 1, 0}));
             EXPECT_LT(room_at(*platform, on_ground(a + b + c) / 3 + outward * 0.1f), 0)
-                << told_platform(outline);
+                << told_corners(outline);
         }
     }
 }
@@ -80,7 +80,7 @@ TEST(PlatformStage, MayHaveCornersMidwayOnAnEdge) {
                 const bool is_on = std::min(x, z) > 0 && std::max(x, z) < 6;
                 EXPECT_EQ(hit->kind, is_on ? Surface::plaza : Surface::water) << x << "," << z;
             }
-        const auto read = parse_platform(told_platform(outline));
+        const auto read = parse_platform(told_corners(outline));
         ASSERT_TRUE(read) << read.error().message;
         EXPECT_EQ(*read, outline) << "as it was written";
     }
@@ -109,7 +109,7 @@ TEST(PlatformStage, NothingIsPutIntoTheWater) {
 
 TEST(PlatformStage, OutlinesAreReadAndTold) {
     const std::vector<Vec2> outline{{-8, -5.5f}, {8, -5}, {0, 9}};
-    EXPECT_EQ(told_platform(outline), "-8,-5.5 8,-5 0,9");
+    EXPECT_EQ(told_corners(outline), "-8,-5.5 8,-5 0,9");
     EXPECT_EQ(*parse_platform("-8,-5.5  8,-5 0,9 "), outline);
     for (const char* text :
          {"", "1", "1,2", "0,0 1,0 0,1,", "0,0 1,0 0,1 x", "0,0;1,0;0,1", "0,0 1e9,0 0,1", "0,0 nan,0 0,1"})

@@ -241,6 +241,43 @@ TEST(Figures, ATickAllocatesNothing) {
     EXPECT_EQ(allocations() - before, 0u);
 }
 
+// It goes where it is told, creeps, leaps, stays on its ground and out of others, and comes back to its way.
+TEST(Figures, OneIsLedAndThenGoesItsWayAgain) {
+    FigurePlan statue = round_walk(FigurePlan::By::statue);
+    statue.way = {{3, 0}};
+    Troupe f = make_figures({round_walk(FigurePlan::By::keys), statue}, plain(), {k_body}, 5);
+    for (uint32_t tick = 0; tick < 60; ++tick) step_figures(f, 5, tick);
+    lead_figure(f, 0);
+    float nearest = 9, deepest = 9, highest = 0;
+    for (uint32_t tick = 60; tick < 1860; ++tick) {
+        // To the statue, creeping; then away, until there is no more ground.
+        const Vec2 to = on_ground(f.moves[1].position - f.moves[0].position);
+        f.lead.wish = tick < 660 ? normalize_or(to, {0, 1}) * 1.2f : Vec2{-2.5f, -2.5f};
+        f.lead.creeps = tick > 300 && tick < 660 ? 1 : 0;
+        if (tick == 800) leap(f);
+        step_figures(f, 5, tick);
+        nearest = std::min(nearest, length(to));
+        const float high = joint_pose(f.poses, 0, hips).position.y;
+        if (f.lead.creeps) deepest = std::min(deepest, high);
+        highest = std::max(highest, high);
+        const Vec3 at = f.moves[0].position;
+        ASSERT_TRUE(ground_at(*f.ground, at, 0.1f, 0.1f)) << at.x << " " << at.z;
+    }
+    EXPECT_GT(nearest, 0.45f);
+    EXPECT_LT(nearest, 1.0f);
+    EXPECT_LT(deepest, 0.75f);
+    EXPECT_GT(highest, 1.05f);
+    EXPECT_LT(length(f.moves[0].motion.velocity), 0.05f) << "at the edge";
+    lead_figure(f, k_no_twin);
+    float least = 9;
+    for (uint32_t tick = 1860; tick < 1860 + 4 * k_figure_round; ++tick) {
+        step_figures(f, 5, tick);
+        for (const Vec2 corner : f.plans[0].way)
+            least = std::min(least, length(on_ground(f.moves[0].position) - corner));
+    }
+    EXPECT_LT(least, 1.0f) << "back on its way";
+}
+
 // What is kept of a state is all that the next tick reads.
 TEST(Figures, GoOnFromWhatAStateKeeps) {
     std::vector<FigurePlan> plans{round_walk(FigurePlan::By::keys),

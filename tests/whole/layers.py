@@ -16,6 +16,7 @@ sim/ik: sim/base
 sim/limbs: sim/base
 sim/ground: sim/base
 sim/movers: sim/base, sim/ground
+sim/ball: sim/base, sim/ground
 sim/linkages: sim/base, sim/ik, sim/movers
 sim/navigation: sim/base, sim/ground
 sim/ways: sim/base
@@ -32,11 +33,11 @@ sim/figures: sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/deeds: sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
+sim: sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
-assets: sim/animation, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/limbs
+assets: sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/limbs
 assets/plan: assets, sim/base
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/props: assets, sim/base

@@ -84,6 +84,12 @@ struct Movers;  // of sim/movers/movers.h
 std::vector<PersonMesh> extract_movers(const Movers& movers);
 void add_movers(const Movers& movers, uint32_t first_mesh, PeopleFrame& people, float between = 1);
 
+struct Balls;  // of sim/balls.h
+// The same of a world's balls, whose one mesh comes after linkages. `first_id`: how many movers there are.
+PersonMesh extract_ball();
+void add_balls(const Balls& balls, uint32_t mesh, PeopleFrame& people, float between = 1,
+               uint32_t first_id = 0);
+
 struct Troupe;  // of sim/figures/figures.h
 // Adds a world's figures to what extract_people() found, before its linkages: figure i as characters[its
 // kind].

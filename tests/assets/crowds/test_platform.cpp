@@ -72,11 +72,11 @@ TEST(Staggering, BodiesStayOnAnyPlatformAndNeverGoStraight) {
                 make_world(std::make_shared<const Ground>(city->ground), staggering(walkers, outline, drunk));
             ASSERT_TRUE(world) << world.error().message;
             const Told told = watch(**world, *make_platform(outline), 90);
-            EXPECT_GT(told.least_room, 0) << told_platform(outline);
-            EXPECT_LT(told.straight, 0.03f) << told_platform(outline);
+            EXPECT_GT(told.least_room, 0) << told_corners(outline);
+            EXPECT_LT(told.straight, 0.03f) << told_corners(outline);
             std::printf(
                 "%s, drunk %.0f: feet keep %.2f m from the edge, %.1f %% of ways of 2 s are straight\n",
-                told_platform(outline).c_str(), static_cast<double>(drunk),
+                told_corners(outline).c_str(), static_cast<double>(drunk),
                 static_cast<double>(told.least_room), 100 * static_cast<double>(told.straight));
         }
 }
@@ -122,7 +122,7 @@ TEST(Staggering, SharpCornersAreNoReasonToRefuse) {
         const Result<City> city = build_platform(outline);
         ASSERT_TRUE(city) << city.error().message;
         auto world = make_world(std::make_shared<const Ground>(city->ground), staggering(3, outline, 0));
-        ASSERT_TRUE(world) << world.error().message << " " << told_platform(outline);
+        ASSERT_TRUE(world) << world.error().message << " " << told_corners(outline);
         ++made;
     }
     EXPECT_EQ(made, 24u);

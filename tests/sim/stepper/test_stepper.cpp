@@ -53,7 +53,7 @@ std::unique_ptr<Walked> walked(uint64_t seed, size_t count) {
     const std::vector<Vec2> still(count);
     start_gait(w->gait, count, bodies, body.data(), ones.data(),
                {places.data(), still.data(), none.data(), none.data()}, surroundings_of(w->both), seed);
-    SetDown made = make_bipeds(std::move(ways), ones, false, w->both, w->gait, seed);
+    SetDown made = make_bipeds(std::move(ways), body, ones, false, w->both, w->gait, seed);
     EXPECT_EQ(made.placed, count);
     w->bipeds = std::move(made.bipeds);
     return w;

@@ -85,7 +85,7 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
         if (tick % k_look_ticks != 0) continue;
         if (tick % 600 == 0) show_progress("walking " + std::to_string(tick / 60) + " s");
         for (uint32_t i = 0; i < c.count; ++i) {
-            if (!is_there(c, i)) continue;
+            if (!is_there(c, i) || is_led(c, i)) continue;  // nobody leads them here
             Watch& watch = watches[i];
             Vec3 p = c.motion.position[i];
             auto under = ground_at(city.ground, p, 0.3f, 0.5f);

@@ -367,6 +367,7 @@ Result<Loaded> load(const Options& options) {
     world.drunk = scene.drunk;
     world.drunks = static_cast<uint32_t>(std::min(scene.drunks, scene.walkers));
     world.pushes = scene.pushes;
+    world.throws = scene.balls;
     world.helpers = scene.helpers;
     world.limbs = scene.limbs;
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
@@ -400,6 +401,11 @@ Result<Loaded> load(const Options& options) {
         loaded.world->linkages = make_linkages(make_exhibits(scene.seed));
         set_figures(make_figure_plans(loaded.world->kinds), make_figure_ground(), *loaded.world);
     }
+    if (scene.steppers > 0) {
+        Result<void> set =
+            let_step(*loaded.world, static_cast<uint32_t>(scene.steppers), {scene.steppers_way});
+        if (!set) return set.error();
+    }
     if (!round && scene.creatures > 0) {
         Result<void> set = set_loose(*loaded.world, static_cast<uint32_t>(scene.creatures));
         if (!set) return set.error();
@@ -429,6 +435,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.drunk = world.drunk;
     options.drunks = std::min(world.drunks, walkers);
     options.pushes = world.pushes;
+    options.throws = world.balls.planned;
     options.helpers = world.bystanders.helpers;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
@@ -443,7 +450,11 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
         order.gravity = world.roam->gravity;
         order.creatures = static_cast<uint32_t>(world.roam->creatures.size());
     }
-    if (world.stepping) order.course = course_of(world);
+    if (is_on_course(world)) order.course = course_of(world);
+    if (world.stepping && !is_on_course(world)) {
+        order.steppers_ways = world.stepping->ways;
+        order.steppers = std::min(static_cast<uint32_t>(world.stepping->bipeds.all.size()), walkers);
+    }
     if (!world.herd.creatures.empty()) order.creatures = static_cast<uint32_t>(world.herd.creatures.size());
     order.linkages = world.linkages.all;
     order.figures = world.figures.plans;
@@ -473,6 +484,9 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
         (*made)->linkages = make_linkages(order.linkages);
         (*made)->movers = make_movers(order.movers);
         set_figures(order.figures, order.figure_ground, **made);
+        if (order.steppers > 0)
+            if (Result<void> set = let_step(**made, order.steppers, order.steppers_ways); !set)
+                return set.error();
         if (order.creatures > 0)
             if (Result<void> set = set_loose(**made, order.creatures); !set) return set.error();
         set_deeds(order.doers, order.things, order.deed_ground, order.first_deed_mover, **made);

@@ -41,7 +41,9 @@ struct PeopleOrder {
     std::shared_ptr<const Ground> deed_ground;
     size_t first_deed_mover = 0;
     std::shared_ptr<const Ground> figure_ground;
-    std::optional<StepCourse> course;  // that they are on, or none
+    std::optional<StepCourse> course;              // that they are on, or none
+    std::vector<std::vector<Vec2>> steppers_ways;  // that some of them step along
+    uint32_t steppers = 0;
 };
 // So many people in the same city, set down and led by that seed, as of the hour at which it began.
 PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "sim/stepping.h"
 #include "tools/extract/convert.h"
 #include "tools/extract/ids.h"
 #include "tools/flaneur/overlay/lettering.h"
@@ -156,7 +157,7 @@ std::vector<Legend> legends_of(WorkViews views, const World& world) {
     add(skeletons, "Skeletons", k_skeleton_legend);
     if (world.roam)
         add(ways, "Ways", k_probe_legend);
-    else if (world.stepping)
+    else if (is_on_course(world))
         add(ways, "Ways", k_stepper_legend);
     else if (!world.figures.plans.empty())
         add(ways, "Ways", k_exhibit_legend);

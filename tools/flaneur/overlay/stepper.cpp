@@ -27,6 +27,7 @@ void add_stepper_ways(const OverlayInput& input, Overlay& overlay) {
                  at_height(way.line[(k + 1) % way.line.size()], k_over));
     for (size_t i = 0; i < bipeds.all.size(); ++i) {
         const Biped& b = bipeds.all[i];
+        if (b.is_down != 0) continue;
         if (glm::length(to_glm(at_height(b.body, 1)) - input.camera.eye) > k_sight) continue;
         const float far[] = {off_wanted(bipeds, world.gait, i, k_left),
                              off_wanted(bipeds, world.gait, i, k_right)};

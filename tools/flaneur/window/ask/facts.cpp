@@ -7,6 +7,7 @@
 
 #include "sim/base/spans.h"
 #include "sim/base/tick.h"
+#include "sim/stepping.h"
 
 namespace flaneur {
 namespace {
@@ -33,7 +34,7 @@ void find_doing(const World& world, WalkerFacts& f) {
     const Crowd& crowd = world.crowd;
     const Journey& journey = crowd.journeys[f.number];
     const uint32_t tick = world.tick;
-    if (world.roam || world.stepping) {
+    if (world.roam || is_stepping(world, f.number)) {
         f.doing = Doing::roams;
         return;
     }

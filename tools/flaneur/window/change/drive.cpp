@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/base/math.h"
@@ -21,7 +22,7 @@ constexpr float k_turn_of_key = 45;                 // degrees
 
 struct Asked {
     Vec2 way;  // x to the right, z ahead; of length 1 at most
-    bool runs = false;
+    bool runs = false, creeps = false;
 };
 
 Asked asked_of(GLFWwindow* window) {
@@ -33,15 +34,24 @@ Asked asked_of(GLFWwindow* window) {
     asked.way = {held(GLFW_KEY_D, GLFW_KEY_RIGHT) - held(GLFW_KEY_A, GLFW_KEY_LEFT),
                  held(GLFW_KEY_W, GLFW_KEY_UP) - held(GLFW_KEY_S, GLFW_KEY_DOWN)};
     asked.runs = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) > 0;
+    asked.creeps = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT) > 0;
     GLFWgamepadstate pad;
     if (glfwGetGamepadState(GLFW_JOYSTICK_1, &pad) == GLFW_TRUE) {
         const Vec2 stick{pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X], -pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]};
         if (length(stick) > k_dead) asked.way = stick;
         asked.runs |= pad.buttons[GLFW_GAMEPAD_BUTTON_A] == GLFW_PRESS;
+        asked.creeps |= pad.buttons[GLFW_GAMEPAD_BUTTON_B] == GLFW_PRESS;
     }
     const float much = length(asked.way);
     if (much > 1) asked.way = asked.way / much;
     return asked;
+}
+
+// On the ground, as the camera sees it.
+Vec2 seen_way(const Viewer& v, Vec2 way) {
+    const glm::vec3 sight = v.camera.target - v.camera.eye;
+    const Vec2 ahead = normalize_or(Vec2{sight.x, sight.z}, {0, 1}), right{-ahead.z, ahead.x};
+    return ahead * way.z + right * way.x;
 }
 
 }  // namespace
@@ -70,13 +80,35 @@ static void tell_keys(const World& world, Viewer& v) {
             : "Arrows or W A S D: walk. Shift: run. Space: jump. Esc gives it back to its errand.");
 }
 
-bool is_driving(const Show& show) { return show.loaded.world->crowd.driven.walker != k_nobody; }
+static bool is_figure_led(const Show& show) { return show.loaded.world->figures.lead.figure != k_no_twin; }
+
+bool is_driving(const Show& show) {
+    return show.loaded.world->crowd.driven.walker != k_nobody || is_figure_led(show);
+}
 
 bool let_go_of_driven(Show& show, Viewer& v) {
     if (!is_driving(show)) return false;
     let_go(show.loaded.world->crowd);
+    if (is_figure_led(show)) lead_figure(show.loaded.world->figures, k_no_twin);
     tell(v, "Goes about its own errand again.");
     return true;
+}
+
+void drive_figure(Show& show, Viewer& v) {
+    World& world = *show.loaded.world;
+    Troupe& figures = world.figures;
+    auto is_by_keys = [](const FigurePlan& plan) {
+        return plan.by == FigurePlan::By::keys && plan.twin_of == k_no_twin;
+    };
+    const auto begin = figures.plans.begin(), end = figures.plans.end();
+    const auto after = is_figure_led(show) ? begin + figures.lead.figure + 1 : begin;
+    const auto next = std::find_if(after, end, is_by_keys);
+    if (next == end && let_go_of_driven(show, v)) return;
+    if (next == end) return tell(v, "Bodies that key poses make walk in the scene ik-gallery.");
+    let_go(world.crowd);
+    lead_figure(figures, static_cast<uint32_t>(next - begin));
+    v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
+    tell(v, next->name + ": arrows or W A S D walk, Shift runs, Alt creeps, Space leaps, Esc lets it go.");
 }
 
 void drive_asked(Show& show, Viewer& v) {
@@ -104,7 +136,7 @@ void drive_by_turns(Show& show, Viewer& v, bool is_by_turns) {
 
 bool press_in_drive(int key, int mods, Show& show, Viewer& v) {
     Driving& d = v.change.driving;
-    if (!d.is_by_turns || !is_driving(show) || show.loaded.world->roam ||
+    if (!d.is_by_turns || !is_driving(show) || is_figure_led(show) || show.loaded.world->roam ||
         (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)))
         return false;
     auto is_one_of = [&](int a, int b) { return key == a || key == b; };
@@ -129,25 +161,52 @@ Vec2 wish_by_turns(const World& world, Driving& d, std::optional<float> speed) {
     return heading_direction(d.heading) * speed.value_or(own);
 }
 
-void push_asked(Show& show, Viewer& v, float impulse) {
-    World& world = *show.loaded.world;
+// Who was asked about, or is pointed at or followed.
+static std::optional<uint32_t> meant(const Show& show, const Viewer& v) {
     std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
     if (!who && v.choice.kind == CameraChoice::Kind::follow) who = v.choice.walker;
-    if (!who || !is_there(world.crowd, *who))
-        return tell(v, "Click or follow somebody, or point at them, to push them.");
+    return who && is_there(show.loaded.world->crowd, *who) ? who : std::nullopt;
+}
+
+void push_asked(Show& show, Viewer& v, float impulse) {
+    World& world = *show.loaded.world;
+    const std::optional<uint32_t> who = meant(show, v);
+    if (!who) return tell(v, "Click or follow somebody, or point at them, to push them.");
     const Vec3 at = world.crowd.motion.position[*who];
     const Vec2 way = normalize_or(Vec2{at.x - v.camera.eye.x, at.z - v.camera.eye.z}, {0, 1});
     if (!push(world, {*who, world.crowd.slots.generation[*who]}, way * impulse))
         return tell(v,
                     "Whoever pushes a pram, comes in or leaves just now, has six legs, or walks on an "
-                    "asteroid or a course, "
-                    "is not pushed.");
+                    "asteroid or in one plane, is not pushed.");
+    v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
+}
+
+void throw_asked(Show& show, Viewer& v, float mass) {
+    constexpr float k_chest = 1.25f, k_ahead = 12, k_least = 9, k_spare = 1.25f;  // metres, m/s
+    World& world = *show.loaded.world;
+    if (world.roam) return tell(v, "Here a ball would fall for ever.");
+    const Vec3 eye{v.camera.eye.x, v.camera.eye.y, v.camera.eye.z};
+    const glm::vec3 ahead = glm::normalize(v.camera.target - v.camera.eye);
+    PlannedThrow how{.from = eye, .at = eye + Vec3{ahead.x, ahead.y, ahead.z} * k_ahead, .mass = mass};
+    if (const std::optional<uint32_t> who = meant(show, v)) {
+        how.at = world.crowd.motion.position[*who] + Vec3{0, k_chest, 0};
+        // Where they will be by then.
+        const float far = length(how.at - eye),
+                    speed = std::max(k_least, k_spare * std::sqrt(k_gravity * far));
+        how.at += at_height(world.crowd.motion.velocity[*who] * (far / speed), 0);
+    }
+    how.speed = std::max(k_least, k_spare * std::sqrt(k_gravity * length(how.at - eye)));
+    throw_ball(world, thrown(how));
     v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
 }
 
 bool jump_driven(Show& show) {
     if (!is_driving(show)) return false;
     World& world = *show.loaded.world;
+    if (is_figure_led(show)) {
+        leap(world.figures);
+        return true;
+    }
     const uint32_t walker = world.crowd.driven.walker;
     if (world.roam) {
         ask_leap(world.roam->walkers, walker);
@@ -161,6 +220,13 @@ void steer_driven(GLFWwindow* window, Show& show, Viewer& v) {
     Crowd& crowd = show.loaded.world->crowd;
     const uint32_t walker = crowd.driven.walker;
     const Asked asked = asked_of(window);
+    if (is_figure_led(show)) {
+        constexpr float k_walk = 1.3f, k_creep = 0.75f;  // m/s
+        FigureLead& lead = show.loaded.world->figures.lead;
+        lead.creeps = asked.creeps ? 1 : 0;
+        lead.wish = seen_way(v, asked.way) * (asked.creeps ? k_creep : asked.runs ? k_run : k_walk);
+        return;
+    }
     const float run = crowd.identity.ahead[walker] > 0 ? k_run_with_pram : k_run;
     if (v.change.driving.is_by_turns && !show.loaded.world->roam) {
         const std::optional<float> speed = asked.runs ? std::optional(run) : std::nullopt;
@@ -176,9 +242,7 @@ void steer_driven(GLFWwindow* window, Show& show, Viewer& v) {
         w.wish[walker] = (on * asked.way.z + aside * asked.way.x) * most;
         return;
     }
-    const Vec2 ahead = normalize_or(Vec2{way.x, way.z}, {0, 1}), right{-ahead.z, ahead.x};
-    const float speed = asked.runs ? run : crowd.identity.preferred_speed[walker];
-    crowd.driven.wish = (ahead * asked.way.z + right * asked.way.x) * speed;
+    crowd.driven.wish = seen_way(v, asked.way) * (asked.runs ? run : crowd.identity.preferred_speed[walker]);
 }
 
 }  // namespace flaneur

@@ -7,6 +7,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/planar.h"
+#include "sim/stepping.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/change/platform.h"
 #include "tools/flaneur/window/input.h"
@@ -265,7 +266,7 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
                 Viewer& v) {
     Change& c = v.change;
     const World& world = *show.loaded.world;
-    if (v.room != Room::change || world.roam || world.stepping) {
+    if (v.room != Room::change || world.roam || is_on_course(world)) {
         c.grip = {};
         c.ghost.reset();
         return false;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/stepping.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/change/drive.h"
@@ -97,7 +98,7 @@ void lay_out_day(Show& show, Viewer& v, float scale) {
 
 void lay_out_people(const Show& show, Viewer& v, float scale) {
     Change& c = v.change;
-    const bool is_closed = show.loaded.world->roam || show.loaded.world->stepping;
+    const bool is_closed = show.loaded.world->roam || is_on_course(*show.loaded.world);
     auto people = static_cast<int>(current(c.designs).people);
     ImGui::TextUnformatted("People");
     if (is_closed) return ImGui::TextDisabled("as many as there are: nobody comes here from elsewhere");
@@ -269,10 +270,16 @@ constexpr std::array k_actions = {
     Action{"Save as a scene", "Ctrl+S", GLFW_KEY_S, GLFW_MOD_CONTROL,
            [](Show&, Viewer& v) { begin_naming(v); }},
     Action{"Drive who was asked about, or let go", "X", GLFW_KEY_X, 0, drive_asked},
+    Action{"In the gallery: drive a body of key poses, the other, or let go", "Ctrl+X", GLFW_KEY_X,
+           GLFW_MOD_CONTROL, drive_figure},
     Action{"Push who was asked about", "P", GLFW_KEY_P, 0,
            [](Show& show, Viewer& v) { push_asked(show, v, k_shove); }},
     Action{"Push so hard that it falls", "Shift+P", GLFW_KEY_P, GLFW_MOD_SHIFT,
            [](Show& show, Viewer& v) { push_asked(show, v, k_hard_shove); }},
+    Action{"Throw a ball at who was asked about, or ahead", "Shift+B", GLFW_KEY_B, GLFW_MOD_SHIFT,
+           [](Show& show, Viewer& v) { throw_asked(show, v, k_light_throw); }},
+    Action{"Throw a ball of 12 kg", "Alt+B", GLFW_KEY_B, GLFW_MOD_ALT,
+           [](Show& show, Viewer& v) { throw_asked(show, v, k_heavy_throw); }},
     Action{"Drive by turns of 45 degrees a key, or as keys are held", "Shift+X", GLFW_KEY_X, GLFW_MOD_SHIFT,
            [](Show& show, Viewer& v) {
                drive_by_turns(show, v, !v.change.driving.is_by_turns);
@@ -341,7 +348,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_who(show, v, scale);
     lay_out_platform(show, v, scale);
     lay_out_drink(show, v, scale);
-    if (!show.loaded.world->roam && !show.loaded.world->stepping) {
+    if (!show.loaded.world->roam && !is_on_course(*show.loaded.world)) {
         ImGui::Spacing();
         lay_out_tools(v, scale);
         lay_out_selected(v, scale);

@@ -1,0 +1,50 @@
+// Balls as one mesh, in three colours.
+#include "sim/balls.h"
+
+#include <algorithm>
+#include <array>
+
+#include "assets/colour.h"
+#include "sim/base/math.h"
+#include "tools/extract/convert.h"
+#include "tools/extract/extract.h"
+#include "tools/extract/ids.h"
+#include "tools/extract/turned.h"
+
+namespace flaneur {
+
+PersonMesh extract_ball() {
+    constexpr int k_rings = 12;
+    constexpr uint32_t k_leather = rgb(0x8a4b2f), k_band = rgb(0xd9c7a0), k_cap = rgb(0x5d3221);
+    PersonMesh mesh;
+    mesh.lods.resize(1);
+    std::vector<TurnedRing> rings;
+    for (int n = 0; n <= k_rings; ++n) {
+        const SinCos at = sin_cos(k_pi * static_cast<float>(n) / k_rings);
+        const uint32_t colour = n < 2 || n > k_rings - 2 ? k_cap : n > 4 && n < 8 ? k_band : k_leather;
+        rings.push_back({n % k_rings == 0 ? 0 : at.sine, -at.cosine, colour});
+    }
+    add_turned(mesh, rings, 0);
+    return mesh;
+}
+
+void add_balls(const Balls& balls, uint32_t mesh, PeopleFrame& frame, float between, uint32_t first_id) {
+    for (size_t i = 0; i < balls.all.size(); ++i) {
+        const Ball& ball = balls.all[i];
+        const Vec3 at = lerp(balls.previous_places[i], ball.place, between);
+        WalkerDraw draw;
+        draw.mesh = mesh;
+        draw.is_upright = false;
+        draw.id = id_of(IdKind::mover, first_id + static_cast<uint32_t>(i));
+        draw.instance.scale = ball.radius;
+        draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
+        std::ranges::fill(draw.instance.tints, 0xffffffffu);
+        draw.centre = to_glm(at);
+        draw.radius = ball.radius;
+        frame.palette.resize(frame.palette.size() + k_palette_joints,
+                             {{ball.turn.x, ball.turn.y, ball.turn.z, ball.turn.w}, {at.x, at.y, at.z, 0}});
+        frame.walkers.push_back(draw);
+    }
+}
+
+}  // namespace flaneur
