@@ -28,8 +28,9 @@ sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
-sim/figures: sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
-sim/deeds: sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
+sim/alone: sim/crowd, sim/gait, sim/ground
+sim/figures: sim/alone, sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
+sim/deeds: sim/alone, sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
 sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
