@@ -1,4 +1,5 @@
 #include <cmath>
+#include <span>
 
 #include "sim/base/rng.h"
 #include "sim/stepper/own.h"
@@ -30,10 +31,8 @@ bool set_down(const Own& o, float along) {
     return std::fabs(o.b.feet[0].place.y - o.b.feet[1].place.y) < 0.02f;
 }
 
-}  // namespace
-
-SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes, bool is_flat,
-                    const MovingGround& ground, Gait& gait, uint64_t seed) {
+SetDown set_all_down(std::vector<BipedWay> ways, std::span<const float> likes, bool is_flat,
+                     const MovingGround& ground, Gait& gait, uint64_t seed) {
     SetDown made;
     Bipeds& bipeds = made.bipeds;
     bipeds.ways = std::move(ways);
@@ -73,6 +72,21 @@ SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes,
         o.g.standing[o.lane] = 1;
         b.reach = reach_of(o, 0);
         look_for_places(o);
+    }
+    return made;
+}
+
+}  // namespace
+
+SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes, bool is_flat,
+                    const MovingGround& ground, Gait& gait, uint64_t seed) {
+    SetDown made = set_all_down(ways, likes, is_flat, ground, gait, seed);
+    if (made.placed == likes.size()) return made;
+    // They are set down evenly: fewer stand elsewhere, and may not all find room either.
+    for (size_t count = made.placed; count > 0; --count) {
+        const std::span<const float> some(likes.data(), count);
+        made.placed = set_all_down(ways, some, is_flat, ground, gait, seed).placed;
+        if (made.placed == count) break;
     }
     return made;
 }

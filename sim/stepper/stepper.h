@@ -100,7 +100,8 @@ struct Bipeds {
 };
 
 // Set down along their ways, in turns, where both feet find still ground. `gait` has as many, whose feet are
-// placed anew; `likes` are their speeds, m/s. How many found room may be fewer.
+// placed anew; `likes` are their speeds, m/s. Where not all find room, `placed` is how many do when no more
+// are asked for, and `bipeds` are not to be used.
 struct SetDown {
     Bipeds bipeds;
     size_t placed = 0;
