@@ -72,8 +72,8 @@ void hold_rails(const Own& o) {
         if (is_within) {
             const Vec2 in = left * -outward(side);
             const Vec3 missing = rope->place + at_height(in * rope->radius, 0) - palm;
-            const float most = (length(o.b.velocity) + k_catches_up) * k_tick;
-            palm += missing * (reach < 0.3f ? 1 : std::min(most / std::max(length(missing), most), 1.0f));
+            const float step = (length(o.b.velocity) + k_catches_up) * k_tick;
+            palm += missing * (reach < 0.3f ? 1 : std::min(step / std::max(length(missing), step), 1.0f));
             hand.normal_x[o.lane] = in.x, hand.normal_z[o.lane] = in.z;
         } else {
             palm += at_height(o.b.velocity * k_tick, 0);
