@@ -46,6 +46,8 @@ inline constexpr float k_most_mix = 10;
 inline constexpr double k_least_scale = 0.0001, k_most_scale = 10'000;
 inline constexpr double k_least_share = 0.001, k_most_share = 1000;
 inline constexpr int k_max_walkers = 1'000'000;
+// How many surely find room on a course and in a yard, whoever they are.
+inline constexpr int k_course_walkers = 24, k_yard_walkers = 120;
 
 // The places that are built in.
 enum class BuiltIn : uint8_t {
@@ -84,6 +86,7 @@ struct Scene {
     std::vector<PlannedThrow> balls;  // that are thrown at them
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                // 0..1,000,000
+    bool says_how_many = false;       // else there are as many as usual, or as surely find room
     int creatures = 0;                // 0..100, of six legs, among people
     Habit habit = Habit::wander;      // what they do; they stagger on a platform only
     LimbLead limbs = LimbLead::gait;  // what leads theirs; curves only of those who ramble

@@ -147,8 +147,7 @@ bool is_below(int joint, Joint top) {
 // Turns a joint and all that hangs on it by `angle` about a unit axis through it.
 void bend(std::span<JointPose> joints, Joint top, Vec3 axis, float angle) {
     if (angle == 0) return;
-    const SinCos half = sin_cos(angle / 2);
-    const Quat turn{axis.x * half.sine, axis.y * half.sine, axis.z * half.sine, half.cosine};
+    const Quat turn = rotation_about(axis, angle);
     const Vec3 middle = joints[top].position;
     for (int j = top; j < k_joint_count; ++j) {
         if (!is_below(j, top)) continue;

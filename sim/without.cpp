@@ -89,9 +89,7 @@ void catch_up(Without& without, const World& world) {
 }
 
 JointPose joint_between(const Without& without, size_t walker, Joint joint, float between) {
-    JointPose last = joint_pose(without.poses, walker, joint),
-              before = joint_pose(without.previous, walker, joint);
-    return {lerp(before.position, last.position, between), nlerp(before.rotation, last.rotation, between)};
+    return joint_between(without.previous, without.poses, walker, joint, between);
 }
 
 }  // namespace flaneur

@@ -301,9 +301,9 @@ static Vec3 ahead_of_time(const World& w, size_t walker, float between) {
 }
 
 JointPose joint_between(const World& w, size_t walker, Joint joint, float between) {
-    JointPose last = joint_pose(w.poses, walker, joint), before = joint_pose(w.previous_poses, walker, joint);
-    const Vec3 place = lerp(before.position, last.position, between) - ahead_of_time(w, walker, between);
-    return {place, nlerp(before.rotation, last.rotation, between)};
+    JointPose pose = joint_between(w.previous_poses, w.poses, walker, joint, between);
+    pose.position = pose.position - ahead_of_time(w, walker, between);
+    return pose;
 }
 
 std::optional<PramPlace> pram_between(const World& w, size_t walker, float between) {

@@ -179,11 +179,14 @@ Mover thing(const char* name, Vec3 middle) {
     return mover;
 }
 
-void add_bridge(const Line& line, std::vector<Mover>& movers) {
+// So narrow that both hands are at its ropes, where one line alone goes over it.
+void add_bridge(const Line& line, bool is_wide, std::vector<Mover>& movers) {
+    constexpr float k_narrow = 0.44f;
+    const float side = is_wide ? 0.9f * line.half : k_narrow;
     constexpr int k_planks = 24;
     constexpr float k_plank = k_bridge_long / k_planks, k_top = k_rise * k_steps, k_thick = 0.05f,
                     k_sag = 0.34f;
-    constexpr float k_rail = 0.86f, k_rope = 0.014f;
+    constexpr float k_rail = 0.97f, k_rope = 0.014f;
     constexpr uint32_t k_lag = 3;  // ticks from plank to plank
     for (int n = 0; n < k_planks; ++n) {
         const float share = (static_cast<float>(n) + 0.5f) / k_planks, bow = 4 * share * (1 - share);
@@ -191,7 +194,6 @@ void add_bridge(const Line& line, std::vector<Mover>& movers) {
         Mover m = thing("plank", {line.x(k_bridge + k_plank * (static_cast<float>(n) + 0.5f)),
                                   k_top - 0.5f * k_thick - k_sag * bow, line.z});
         const auto late = k_lag * static_cast<uint32_t>(n);
-        const float side = 0.9f * line.half;
         m.place.reach = {0, 0.025f * bow, 0.075f * bow};
         m.angles.middle = {0, 0, arctan2(slope, 1) * line.turn};
         m.angles.reach = {0.045f * bow, 0, 0};
@@ -215,8 +217,8 @@ void add_bridge(const Line& line, std::vector<Mover>& movers) {
     }
     // What it hangs on.
     for (const float end : {k_bridge - 0.2f, k_bridge + k_bridge_long + 0.2f})
-        for (const float side : {-1.0f, 1.0f}) {
-            Mover post = thing("post", {line.x(end), k_top + 0.5f, line.z + side * 0.9f * line.half});
+        for (const float z : {-side, side}) {
+            Mover post = thing("post", {line.x(end), k_top + 0.5f, line.z + z});
             post.solids = {{.form = MoverSolid::Form::cylinder,
                             .half = {0.06f, 0.5f, 0.06f},
                             .matter = Matter::dark_wood,
@@ -347,7 +349,7 @@ StepCourse make_course(bool is_flat) {
     for (const Piece& p : pieces_of(l)) add_level(*ground, p.low, p.high, p.from, p.to, p.kind);
     index_ground(*ground);
     course.ground = std::move(ground);
-    add_bridge(l.front, course.movers);
+    add_bridge(l.front, is_flat, course.movers);
     add_tilting(l.front, course.movers);
     add_lifts(l.front, course.movers);
     add_stones(l, course.movers);

@@ -51,4 +51,9 @@ Quat rotation_z(float angle) {
     return {0, 0, h.sine, h.cosine};
 }
 
+Quat rotation_about(Vec3 axis, float angle) {
+    SinCos h = sin_cos(angle * 0.5f);
+    return {axis.x * h.sine, axis.y * h.sine, axis.z * h.sine, h.cosine};
+}
+
 }  // namespace flaneur

@@ -48,5 +48,6 @@ inline float wrap_angle(float angle) {
 Quat rotation_x(float angle);
 Quat rotation_y(float angle);
 Quat rotation_z(float angle);
+Quat rotation_about(Vec3 axis, float angle);  // unit
 
 }  // namespace flaneur

@@ -42,11 +42,6 @@ Vec3 front_of(const BodyPose& pose) {
     return at_height(normalize_or(front, {0, 1}), 0);
 }
 
-Quat about(Vec3 axis, float angle) {
-    const SinCos half = sin_cos(0.5f * angle);
-    return {axis.x * half.sine, axis.y * half.sine, axis.z * half.sine, half.cosine};
-}
-
 // Turned about its own length by no more than that, either way; less and less where it would go round.
 Quat held_twist(Quat turn, float most) {
     const float twist = wrap_angle(2 * arctan2(turn.y, turn.w));
@@ -78,7 +73,7 @@ void bend_down(BodyPose& pose, Someone who, Bend bend) {
     const Quat shanks[2] = {pose.rotation[left_lower_leg], pose.rotation[right_lower_leg]};
     const Quat feet[4] = {pose.rotation[left_foot], pose.rotation[left_toes], pose.rotation[right_foot],
                           pose.rotation[right_toes]};
-    turn_from(pose, hips, about(left, k_of_hips * pitch));
+    turn_from(pose, hips, rotation_about(left, k_of_hips * pitch));
     for (const Side side : {k_left, k_right}) {
         const size_t thigh = side == k_left ? left_upper_leg : right_upper_leg;
         pose.rotation[thigh] = kept[side], pose.rotation[thigh + 1] = shanks[side];
@@ -93,7 +88,7 @@ void bend_down(BodyPose& pose, Someone who, Bend bend) {
 void turn_trunk(BodyPose& pose, float ahead, float left) {
     for (const int j : {spine, chest, upper_chest}) {
         const Vec3 side = rotate(pose.rotation[static_cast<size_t>(j)], {1, 0, 0});
-        turn_from(pose, j, rotation_y(left / 3) * about(side, ahead / 3));
+        turn_from(pose, j, rotation_y(left / 3) * rotation_about(side, ahead / 3));
     }
 }
 
@@ -211,7 +206,7 @@ void lean_to(BodyPose& pose, Someone who, Side side, Vec3 wrist, float share, fl
         const Vec3 axis = normalize_or(cross(up, to), {1, 0, 0});
         const float angle = std::min(lacks / length(up), left);
         left -= angle;
-        for (const int j : {spine, chest, upper_chest}) turn_from(pose, j, about(axis, angle / 3));
+        for (const int j : {spine, chest, upper_chest}) turn_from(pose, j, rotation_about(axis, angle / 3));
     }
 }
 

@@ -9,8 +9,9 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_before_edge = 0.04f;  // metres, of toes
-constexpr float k_part = 0.9f;          // of an arm's length, to which one reaches
+constexpr float k_before_edge = 0.05f, k_before_box = 0.075f;  // metres, of toes
+constexpr float k_on_ground = 0.1f;  // metres, lower shelves than which have no edge
+constexpr float k_part = 0.9f;       // of an arm's length, to which one reaches
 constexpr Vec3 k_elbow{0.5f, -0.8f, -0.25f};
 
 // How long stages take, seconds.
@@ -41,7 +42,7 @@ ParcelNow carried(const Deeds& d, size_t i, const BodyPose& stands, uint32_t par
     const bool at_shelf = deed.what == Deed::What::take || deed.what == Deed::What::put;
     if (!at_shelf) return now;
     const Shelf& shelf = d.things.shelves[deed.thing];
-    if (shelf.top < 0.1f) return now;
+    if (shelf.top < k_on_ground) return now;
     const float off = length(before_shelf(d, i, shelf).at - on_ground(doer.position));
     const float least = shelf.top + p.half.y + k_over;
     const float more = std::max(least - now.place.y, 0.0f);
@@ -92,6 +93,14 @@ Grips grips_of(const BodyPose& pose, Someone who, const Parcel& parcel, const Pa
     return grips;
 }
 
+// Where its next deed is.
+Vec2 next_place(const Deeds& d, size_t i) {
+    const DoerPlan& plan = d.plans[i];
+    const Deed& next = plan.round[(d.doers[i].deed + 1) % plan.round.size()];
+    const bool at_shelf = next.what == Deed::What::take || next.what == Deed::What::put;
+    return at_shelf ? before_shelf(d, i, d.things.shelves[next.thing]).at : next.at;
+}
+
 // Arms on their way from where they hang to their grips, by `time`, 0..1.
 void reach_out(BodyPose& pose, Someone who, const Grips& grips, Quat turn, float time) {
     constexpr float k_wide = 0.11f, k_over = 0.07f, k_back = 0.12f;  // metres, of what they go round by
@@ -119,7 +128,8 @@ ParcelNow at_rest(const Parcel& p, const Shelf& shelf, uint32_t number) {
 
 Spot before_shelf(const Deeds& d, size_t i, const Shelf& shelf) {
     const Vec2 ahead = heading_direction(shelf.heading);
-    return {shelf.at - ahead * (toes_ahead(d, i) + k_before_edge), shelf.heading};
+    const float off = shelf.top < k_on_ground ? k_before_box : k_before_edge;
+    return {shelf.at - ahead * (toes_ahead(d, i) + off), shelf.heading};
 }
 
 Palm grip_of(const Parcel& p, const ParcelNow& now, Side side, float pitch) {
@@ -175,9 +185,13 @@ DoerWish carry(Deeds& d, size_t i) {
             turn_to(takes ? DoerStage::leave : DoerStage::reach);
             return stays;
         case DoerStage::leave: {
+            // Backward, and turning to where it goes next.
+            constexpr float k_turns = 0.06f, k_takes = 0.26f, k_puts = 0.16f;
             const float far = length(goal.at - on_ground(doer.position));
-            if (far > (takes ? 0.45f : 0.18f)) next_deed(d, doer, i);
-            return wish_back(goal);
+            DoerWish back = wish_back(goal);
+            if (far > k_turns) back.look = normalize_or(next_place(d, i) - on_ground(doer.position), ahead);
+            if (far > (takes ? k_takes : k_puts)) next_deed(d, doer, i);
+            return back;
         }
     }
     return stays;

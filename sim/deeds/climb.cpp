@@ -1,232 +1,21 @@
 #include "sim/deeds/climb.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "sim/base/math.h"
 #include "sim/base/tick.h"
+#include "sim/deeds/climb_keys.h"
+#include "sim/deeds/shape.h"
 #include "sim/pose/arm.h"
 
 namespace flaneur {
 
 namespace {
 
-// One moment: places from the middle of the wall's foot, x to the left of the way, y up, z along it, metres;
-// angles in radians.
-enum Channel : size_t {
-    c_time,
-    c_hips,                // three
-    c_yaw = c_hips + 3,    // of the hips, to the left
-    c_pitch,               // of the hips, ahead
-    c_bow,                 // of the trunk against them, ahead
-    c_tilt,                // of the hips, to the left
-    c_foot,                // three of each ankle
-    c_free = c_foot + 6,   // of each foot: 0 as the gait stands .. 1 hangs
-    c_splay = c_free + 2,  // of each knee: 0 ahead .. 1 outward
-    c_hand = c_splay + 2,  // three of each palm
-    c_hold = c_hand + 6,   // of each hand: 0 hangs .. 1 is there
-    c_point = c_hold + 2,  // of the fingers of each, yaw to the left of the way
-    k_channels = c_point + 2
-};
-using Key = std::array<float, k_channels>;
-constexpr size_t k_most_keys = 16;
-struct Keys {
-    std::array<Key, k_most_keys> all;
-    size_t count = 0;
-};
-
-struct Sizes {
-    float k, leg, seat, half, height, ankle;
-};
-Sizes sizes_of(const Deeds& d, size_t i, const LowWall& wall) {
+ClimbSizes sizes_of(const Deeds& d, size_t i, const LowWall& wall) {
     const Body& b = d.bodies[i];
     const float k = b.height / 1.75f;
     return {k, leg_length(b), 0.115f * k, 0.5f * wall.thick, wall.height, b.joints[left_foot].y};
-}
-
-Vec3 get(const Key& key, size_t channel) { return {key[channel], key[channel + 1], key[channel + 2]}; }
-void set(Key& key, size_t channel, Vec3 v) {
-    key[channel] = v.x, key[channel + 1] = v.y, key[channel + 2] = v.z;
-}
-
-// How one stands before and after, in the wall's frame.
-struct Stances {
-    Vec3 hips[2], ankles[2][2];  // before and behind, left and right
-};
-
-struct Maker {
-    Keys keys;
-    Key now{};
-    void put(float after) {
-        assert(keys.count < k_most_keys);
-        now[c_time] += after;
-        keys.all[keys.count++] = now;
-    }
-    void hips(Vec3 at) { set(now, c_hips, at); }
-    void turn(float yaw, float pitch, float bow, float tilt) {
-        now[c_yaw] = yaw * k_radians, now[c_pitch] = pitch * k_radians;
-        now[c_bow] = bow * k_radians, now[c_tilt] = tilt * k_radians;
-    }
-    void foot(Side side, Vec3 at, float is_free, float splay) {
-        set(now, c_foot + 3 * static_cast<size_t>(side), at);
-        now[c_free + static_cast<size_t>(side)] = is_free, now[c_splay + static_cast<size_t>(side)] = splay;
-    }
-    void hand(Side side, Vec3 at, float hold, float point) {
-        set(now, c_hand + 3 * static_cast<size_t>(side), at);
-        now[c_hold + static_cast<size_t>(side)] = hold;
-        now[c_point + static_cast<size_t>(side)] = point * k_radians;
-    }
-};
-
-// Leading with the left leg, the right hand on the wall.
-Keys keys_to_step(const Sizes& s, const Stances& st) {
-    Maker m;
-    const float k = s.k, over = s.height + s.ankle + 0.07f * k, near = s.half + 0.16f * k,
-                far = s.half + 0.12f * k;
-    const Vec3 palm{-0.3f * k, s.height, 0.4f * s.half};
-    const float high = st.hips[0].y;
-    m.hips(st.hips[0]);
-    for (const Side side : {k_left, k_right}) m.foot(side, st.ankles[0][side], 0, 0);
-    m.hand(k_left, palm + Vec3{0.6f * k, 0.3f * k, 0}, 0, 0);
-    m.hand(k_right, palm + Vec3{0, 0.2f * k, -0.1f * k}, 0, 0), m.put(0);
-    m.hips({st.hips[0].x - 0.03f * k, high - 0.05f * k, st.hips[0].z - 0.02f * k});
-    m.turn(-6, 26, 26, 0), m.hand(k_right, palm, 1, 0), m.put(0.6f);
-    m.hips({st.hips[0].x - 0.05f * k, high - 0.03f * k, st.hips[0].z - 0.05f * k});
-    m.turn(-4, 12, 34, -6), m.foot(k_left, {0.14f * k, over, -near}, 1, 0.25f), m.put(0.45f);
-    m.hips({-0.05f * k, high - 0.06f * k, -near + 0.02f * k});
-    m.turn(0, 12, 34, -4), m.foot(k_left, {0.13f * k, over, far}, 1, 0.15f), m.put(0.42f);
-    m.hips({-0.01f * k, high - 0.11f * k, 0.03f * k});
-    m.foot(k_right, st.ankles[0][k_right] + Vec3{0, 0.07f * k, 0.04f * k}, 0.5f, 0.9f);
-    m.turn(0, 16, 30, 0), m.foot(k_left, st.ankles[1][k_left], 0, 0.1f), m.put(0.42f);
-    m.hips({0.04f * k, high - 0.07f * k, 0.14f * k});
-    m.turn(-34, 16, 30, 10), m.foot(k_right, {-0.34f * k, over + 0.03f * k, -near - 0.08f * k}, 1, 1);
-    m.hand(k_right, palm, 0.9f, 0), m.put(0.48f);
-    m.hips({0.06f * k, high - 0.04f * k, 0.24f * k});
-    m.turn(-20, 10, 24, 8), m.foot(k_left, st.ankles[1][k_left], 0, 0);
-    m.foot(k_right, {-0.26f * k, over + 0.03f * k, far}, 1, 0.7f);
-    m.hand(k_right, palm + Vec3{-0.03f * k, 0.14f * k, 0.06f * k}, 0, -10), m.put(0.4f);
-    m.hips({st.hips[1].x + 0.02f * k, high - 0.02f * k, st.hips[1].z - 0.03f * k});
-    m.turn(0, 6, 8, 0), m.foot(k_right, st.ankles[1][k_right], 0, 0), m.put(0.45f);
-    m.hips(st.hips[1]), m.turn(0, 0, 0, 0), m.put(0.4f);
-    return m.keys;
-}
-
-// Leading with the right leg; turned to the left, astride.
-Keys keys_to_sit(const Sizes& s, const Stances& st) {
-    Maker m;
-    const float k = s.k, h = s.height, over = h + s.ankle + 0.07f * k, out = s.half + 0.16f * k;
-    const float sits = h + s.seat, x = -0.14f * k;
-    const Vec3 left_palm{0.32f * k, h, 0.0f}, right_palm{0.0f, h, -0.2f * s.half};
-    const float rides = std::max(h - 0.3f * k, s.ankle + 0.02f);  // of ankles, astride
-    auto astride = [&](Side side) {
-        const float z = s.half + 0.24f * k;
-        return Vec3{x + 0.16f * k, rides, side == k_left ? -z : z};
-    };
-    m.hips(st.hips[0]);
-    for (const Side side : {k_left, k_right}) m.foot(side, st.ankles[0][side], 0, 0);
-    m.hand(k_left, left_palm + Vec3{0, 0.1f * k, -0.15f * k}, 0, 0);
-    m.hand(k_right, right_palm + Vec3{-0.2f * k, 0.1f * k, -0.15f * k}, 0, 0), m.put(0);
-    // Hands on it.
-    const float stoop = clamp(1.15f * (1.02f - h / (1.1f * k)), 0, 1);
-    m.hips({st.hips[0].x, st.hips[0].y - (0.04f + 0.1f * stoop) * k,
-            st.hips[0].z - (0.02f + 0.05f * stoop) * k});
-    m.turn(8, 10 + 22 * stoop, 12 + 30 * stoop, 0);
-    m.hand(k_left, left_palm, 1, 0), m.hand(k_right, right_palm, 1, 0), m.put(0.65f);
-    // The right leg up, the left one pushes off, and hangs.
-    const float near = -s.half - 0.25f * k, up = std::max(sits - 0.03f * k, 0.96f * s.leg);
-    const float lifted = std::max(up - 0.955f * s.leg, st.ankles[0][k_left].y);
-    m.hips({st.hips[0].x, 0.5f * (st.hips[0].y + up), st.hips[0].z - 0.02f * k});
-    m.turn(8, 14, 30, 12);
-    m.foot(
-        k_left,
-        {st.ankles[0][k_left].x, std::max(0.5f * (st.hips[0].y + up) - 0.95f * s.leg, st.ankles[0][k_left].y),
-         st.ankles[0][k_left].z},
-        up > 1.01f * st.hips[0].y ? 0.6f : 0.0f, 0);
-    m.foot(k_right, {-0.44f * k, 0.6f * h, -out - 0.16f * k}, 1, 1), m.put(0.42f);
-    m.hips({x * 0.6f, up, near});
-    m.turn(10, 6, 36, 16);
-    m.hand(k_left, left_palm, 1, 10), m.hand(k_right, right_palm, 1, 15);
-    m.foot(k_right, {-0.52f * k, over + 0.02f * k, -out - 0.06f * k}, 1, 1);
-    m.foot(k_left, {st.ankles[0][k_left].x, lifted, near - 0.03f * k}, 1, 0), m.put(0.4f);
-    m.hips({x, std::max(sits + 0.07f * k, up), -0.5f * s.half});
-    m.turn(56, 10, 46, 10);
-    m.hand(k_left, left_palm, 1, 40), m.hand(k_right, right_palm, 1, 50);
-    m.foot(k_left, {x + 0.1f * k, std::max(sits - 0.86f * s.leg, s.ankle + 0.05f * k), -s.half - 0.22f * k},
-           1, 0.3f);
-    m.foot(k_right, {-0.4f * k, over, out}, 1, 0.6f), m.put(0.45f);
-    // Astride.
-    m.hips({x, sits, 0});
-    m.turn(88, 18, 44, 0);
-    m.hand(k_left, left_palm, 1, 65), m.hand(k_right, right_palm, 1, 80);
-    m.foot(k_right, astride(k_right), 1, 0.45f), m.foot(k_left, astride(k_left), 1, 0.45f);
-    m.put(0.5f);
-    // The right hand goes behind, the trunk leans back.
-    m.hips({x, sits, 0.01f});
-    m.turn(90, 2, 6, 2);
-    m.hand(k_right, {x - 0.1f * k, h + 0.13f * k, 0.8f * s.half}, 0.85f, 90), m.put(0.3f);
-    m.turn(94, -14, 4, 2);
-    m.hand(k_right, {x - 0.27f * k, h, 0.4f * s.half}, 1, 100);
-    m.hand(k_left, left_palm, 0.9f, 60);
-    m.foot(k_left, {x + 0.46f * k, std::max(h - 0.1f * k, s.ankle + 0.1f), -s.half - 0.24f * k}, 1, 0.2f),
-        m.put(0.38f);
-    // The left leg over.
-    m.hand(k_left, left_palm + Vec3{-0.05f * k, 0.16f * k, 0}, 0.3f, 30);
-    m.turn(98, -18, 4, 4), m.hips({x, sits + 0.02f * k, 0.02f});
-    m.foot(k_left, {x + 0.6f * k, over + 0.05f * k, -out}, 1, 0.1f), m.put(0.38f);
-    m.turn(64, -14, 6, 2);
-    m.hand(k_left, {x + 0.3f * k, h + 0.13f * k, -0.5f * s.half}, 0.5f, 20);
-    m.hand(k_right, {x - 0.27f * k, h, 0.4f * s.half}, 1, 60);
-    m.foot(k_right, {x + 0.1f * k, rides, s.half + 0.26f * k}, 1, 0.3f);
-    m.foot(k_left, {x + 0.54f * k, over + 0.05f * k, out}, 1, 0.1f), m.put(0.42f);
-    // Sits, both hands beside.
-    const float below = std::max(h - 0.3f * k, s.ankle + 0.03f), knee = s.half + 0.3f * k;
-    m.turn(4, -6, 18, 0), m.hips({x, sits, 0.4f * s.half});
-    m.hand(k_left, {x + 0.25f * k, h, 0.3f * s.half}, 1, 10),
-        m.hand(k_right, {x - 0.25f * k, h, 0.3f * s.half}, 1, -10);
-    m.foot(k_left, {x + 0.1f * k, below, knee}, 1, 0), m.foot(k_right, {x - 0.1f * k, below, knee}, 1, 0);
-    m.put(0.5f);
-    // Slides down.
-    const float front = s.half + 0.15f * k;
-    m.turn(0, 2, 18, 0), m.hips({x, sits - 0.01f * k, s.half + 0.07f * k});
-    for (const Side side : {k_left, k_right})
-        m.foot(side, st.ankles[1][side] + Vec3{0, std::max(sits - 0.97f * s.leg - s.ankle, 0.0f), 0}, 0.4f,
-               0);
-    m.put(0.4f);
-    for (const Side side : {k_left, k_right}) m.now[c_hold + static_cast<size_t>(side)] = 0;
-    m.turn(0, 6, 16, 0);
-    m.hips({0.5f * (x + st.hips[1].x), std::min(sits, 0.93f * s.leg), std::max(front, 0.6f * st.hips[1].z)});
-    for (const Side side : {k_left, k_right}) m.foot(side, st.ankles[1][side], 0, 0);
-    m.put(0.4f);
-    m.hips({st.hips[1].x, st.hips[1].y - 0.05f * k, st.hips[1].z - 0.01f}), m.turn(0, 6, 8, 0);
-    m.put(0.4f);
-    m.hips(st.hips[1]), m.turn(0, 0, 0, 0), m.put(0.35f);
-    return m.keys;
-}
-
-// Monotone cubic curves through the keys (Fritsch & Carlson, SIAM Journal on Numerical Analysis 17, 1980):
-// nothing leaves the span of two keys, and what is alike in two of them does not move between.
-Key at_time(const Keys& keys, float time) {
-    size_t n = 0;
-    while (n + 2 < keys.count && keys.all[n + 1][c_time] <= time) ++n;
-    const Key &a = keys.all[n], &b = keys.all[n + 1];
-    const float span = b[c_time] - a[c_time], t = clamp((time - a[c_time]) / span, 0, 1);
-    auto slope = [&](size_t from, size_t c) {
-        return (keys.all[from + 1][c] - keys.all[from][c]) /
-               (keys.all[from + 1][c_time] - keys.all[from][c_time]);
-    };
-    auto tangent = [&](size_t at, size_t c) {
-        if (at == 0 || at + 1 >= keys.count) return 0.0f;
-        const float before = slope(at - 1, c), after = slope(at, c);
-        if (before * after <= 0) return 0.0f;
-        return 2 * before * after / (before + after);  // their harmonic mean
-    };
-    Key now = a;
-    now[c_time] = time;
-    const float t2 = t * t, t3 = t2 * t;
-    for (size_t c = c_time + 1; c < k_channels; ++c)
-        now[c] = (2 * t3 - 3 * t2 + 1) * a[c] + (t3 - 2 * t2 + t) * span * tangent(n, c) +
-                 (3 * t2 - 2 * t3) * b[c] + (t3 - t2) * span * tangent(n + 1, c);
-    return now;
 }
 
 // The wall's frame, as the way goes over it.
@@ -248,15 +37,16 @@ bool is_onward(const LowWall& wall, Vec2 from) {
 }
 
 float behind(const Deeds& d, size_t i, const LowWall& wall) {
-    return 0.5f * wall.thick + d.bodies[i].heel + 0.13f * d.bodies[i].height / 1.75f;
+    const bool steps = wall.height < k_steps_over * leg_length(d.bodies[i]);
+    return 0.5f * wall.thick + d.bodies[i].heel + (steps ? 0.22f : 0.13f) * d.bodies[i].height / 1.75f;
 }
 float before(const Deeds& d, size_t i, const LowWall& wall) {
     return 0.5f * wall.thick + toes_ahead(d, i) + 0.1f;
 }
 
 // How one stands, by the gait's pose on this side or on the other one.
-Stances stances_of(const Over& over, const BodyPose& stands, Someone who, float far, bool has_crossed) {
-    Stances st;
+ClimbStances stances_of(const Over& over, const BodyPose& stands, Someone who, float far, bool has_crossed) {
+    ClimbStances st;
     const auto places = places_of(stands, who.person, who.lane);
     const Vec3 by{0, 0, far}, here = has_crossed ? -by : Vec3{}, there = has_crossed ? Vec3{} : by;
     const Vec3 hips_own = over.own(stands.hips);
@@ -268,8 +58,8 @@ Stances stances_of(const Over& over, const BodyPose& stands, Someone who, float 
     return st;
 }
 
-Keys keys_of(const Deeds& d, size_t i, const LowWall& wall, const Stances& st) {
-    const Sizes s = sizes_of(d, i, wall);
+ClimbKeys keys_of(const Deeds& d, size_t i, const LowWall& wall, const ClimbStances& st) {
+    const ClimbSizes s = sizes_of(d, i, wall);
     return s.height < k_steps_over * s.leg ? keys_to_step(s, st) : keys_to_sit(s, st);
 }
 
@@ -295,8 +85,8 @@ Quat tilted(float yaw, float pitch, float tilt) {
 struct Climbing {
     const LowWall* wall = nullptr;
     Over over;
-    Keys keys;
-    Key now;
+    ClimbKeys keys;
+    ClimbKey now;
 };
 Climbing climbing_of(const Deeds& d, size_t i, const BodyPose& stands) {
     const Doer& doer = d.doers[i];
@@ -309,6 +99,67 @@ Climbing climbing_of(const Deeds& d, size_t i, const BodyPose& stands) {
     return c;
 }
 
+// A foot that hangs, level where it comes near what is below it.
+Quat hanging_foot(const Climbing& c, Vec3 ankle_own, float ankle, Quat hangs) {
+    constexpr float k_near = 0.08f, k_far = 0.3f;  // metres over it
+    const float over_wall =
+        1 - smoothstep(k_near, k_far, std::fabs(ankle_own.z) - 0.5f * c.wall->thick - k_near);
+    const float high = ankle_own.y - ankle;
+    const float near_ground = 1 - smoothstep(k_near, k_far, high),
+                near_top = over_wall * (1 - smoothstep(k_near, k_far, std::fabs(high - c.wall->height)));
+    const Vec2 ahead = normalize_or(on_ground(rotate(hangs, {0, 0, 1})), heading_direction(c.over.yaw));
+    return nlerp(hangs, rotation_y(heading_of(ahead)), std::max(near_ground, near_top));
+}
+
+// Metres that hips are too high for legs that stand.
+float above_feet(const Climbing& c, const BodyPose& pose, Someone who) {
+    constexpr float k_straightest = 0.995f;
+    float most = 0;
+    for (const Side side : {k_left, k_right}) {
+        const auto n = static_cast<size_t>(side);
+        const size_t thigh = side == k_left ? left_upper_leg : right_upper_leg;
+        const auto places = places_of(pose, who.person, who.lane);
+        const float leg =
+            length(places[thigh + 1] - places[thigh]) + length(places[thigh + 2] - places[thigh + 1]);
+        const Vec3 way = places[thigh] - c.over.world(get(c.now, c_foot + 3 * n));
+        const float flat = length(on_ground(way)), reach = k_straightest * leg;
+        const float high = std::sqrt(std::max(reach * reach - flat * flat, 0.0f));
+        most = std::max(most, (way.y - high) * (1 - smoothstep(0, 0.25f, c.now[c_free + n])));
+    }
+    return most;
+}
+
+// A hand on its way to a place on the wall, or from there: over its edge.
+void reach_over(BodyPose& pose, Someone who, Side side, const Climbing& c, const Palm& wanted, Vec3 elbow,
+                float hold) {
+    if (hold <= 0) return;
+    // Where the wrist does not bend so far it lies as flat as it can, on its fingers.
+    constexpr float k_soft = 0.012f;  // metres
+    BodyPose leans = pose;
+    reach_for(leans, who, side, wanted, elbow, 1);
+    float deep = 0;
+    for (const Ball& ball : arm_balls(leans, who, side))
+        if (ball.of == left_hand || ball.of == right_hand)
+            deep = std::max(deep, c.over.foot.y + c.wall->height - ball.at.y + ball.radius - k_soft);
+    Palm palm = wanted;
+    palm.place.y += std::min(deep, 0.05f);
+    if (hold >= 1) return reach_for(pose, who, side, palm, elbow, 1);
+    const float k = who.person.height[who.lane] / 1.75f, t = smoothstep(0, 1, hold);
+    const Vec3 from = c.over.own(palm_of(pose, who, side).place), to = c.over.own(palm.place);
+    const float up = std::max(std::max(from.y, to.y) + 0.1f * k, c.wall->height + 0.25f * k);
+    const Vec3 by{lerp(from.x, to.x, 0.5f), up, lerp(from.z, to.z, 0.4f)};
+    const Vec3 at = c.over.world(lerp(lerp(from, by, t), lerp(by, to, t), t));
+    BodyPose turned = pose;
+    reach_with_arm(turned, who, side, wrist_of(palm, who, side), elbow, t);
+    const auto hand = static_cast<size_t>(side == k_left ? left_hand : right_hand);
+    Palm now = palm_of(turned, who, side);
+    now.place = at;
+    JointPose wrist = wrist_of(now, who, side);
+    wrist.rotation = turned.rotation[hand];
+    pose = turned;
+    reach_with_arm(pose, who, side, wrist, elbow, smoothstep(0, 0.35f, hold));
+}
+
 }  // namespace
 
 Spot before_wall(const Deeds& d, size_t i, const LowWall& wall, bool onward) {
@@ -317,7 +168,7 @@ Spot before_wall(const Deeds& d, size_t i, const LowWall& wall, bool onward) {
 }
 
 float climb_seconds(const Deeds& d, size_t i, const LowWall& wall) {
-    const Keys keys = keys_of(d, i, wall, {});
+    const ClimbKeys keys = keys_of(d, i, wall, {});
     return keys.all[keys.count - 1][c_time];
 }
 
@@ -365,23 +216,26 @@ void pose_climbing(const Deeds& d, size_t i, BodyPose& pose) {
     const Someone who = someone(d, i);
     const BodyPose stands = pose;
     const Climbing c = climbing_of(d, i, stands);
-    const Key& now = c.now;
+    const ClimbKey& now = c.now;
     const float seconds = seconds_in(doer), all = c.keys.all[c.keys.count - 1][c_time];
     pose.hips = c.over.world(get(now, c_hips));
     const Quat root = normalize(tilted(c.over.yaw + now[c_yaw], now[c_pitch], now[c_tilt]));
     pose.rotation.fill(root);
+    pose.hips.y -= above_feet(c, pose, who);
     turn_trunk(pose, now[c_bow], 0);
     // As the gait has it, from and to its hold.
     constexpr float k_blend = 0.4f;
     const float share = smoothstep(0, k_blend, seconds) * (1 - smoothstep(all - k_blend, all, seconds));
     const Vec3 hips_at = pose.hips;
+    // Arms hang straight down, however the trunk leans.
+    const Quat turned =
+        rotation_y(c.over.yaw + now[c_yaw] - heading_of(on_ground(rotate(stands.rotation[hips], {0, 0, 1}))));
     for (const Side side : {k_left, k_right}) {
         const size_t first = side == k_left ? left_upper_arm : right_upper_arm;
-        Quat above = stands.rotation[upper_chest], on = pose.rotation[upper_chest];
-        for (size_t j = first - 1; j < first + 3; ++j) {
-            on = normalize(on * (conjugate(above) * stands.rotation[j]));
-            above = stands.rotation[j], pose.rotation[j] = on;
-        }
+        pose.rotation[first - 1] =
+            normalize(pose.rotation[upper_chest] * conjugate(stands.rotation[upper_chest]) *
+                      stands.rotation[first - 1]);
+        for (size_t j = first; j < first + 3; ++j) pose.rotation[j] = normalize(turned * stands.rotation[j]);
     }
     for (const Side side : {k_left, k_right}) {
         const size_t thigh = side == k_left ? left_upper_leg : right_upper_leg;
@@ -390,7 +244,8 @@ void pose_climbing(const Deeds& d, size_t i, BodyPose& pose) {
         const Vec3 pole = rotate(root, {out * (0.1f + splay), 0.6f, 1 - 0.85f * splay});
         leg_to(pose, who, side, c.over.world(get(now, c_foot + 3 * n)), normalize_or(pole, {0, 0, 1}));
         keep_hip_within(pose, side, smoothstep(0, 1, is_free));
-        const Quat hanging = normalize(pose.rotation[thigh + 1] * rotation_x(0.35f));
+        const Quat hanging = hanging_foot(c, get(now, c_foot + 3 * n), sizes_of(d, i, *c.wall).ankle,
+                                          normalize(pose.rotation[thigh + 1] * rotation_x(0.35f)));
         pose.rotation[thigh + 2] = nlerp(stands.rotation[thigh + 2], hanging, smoothstep(0, 1, is_free));
         pose.rotation[thigh + 3] = nlerp(stands.rotation[thigh + 3], hanging, smoothstep(0, 1, is_free));
     }
@@ -430,7 +285,7 @@ void pose_climbing(const Deeds& d, size_t i, BodyPose& pose) {
         Vec3 elbow = rotate(conjugate(pose.rotation[upper_chest]) * rotation_y(c.over.yaw + now[c_yaw]),
                             {0.6f * out, 0, -1});
         elbow.x *= out;
-        reach_for(pose, who, side, palm, elbow, smoothstep(0, 1, now[c_hold + n]));
+        reach_over(pose, who, side, c, palm, elbow, now[c_hold + n]);
     }
 }
 

@@ -18,32 +18,11 @@ namespace {
 
 using What = Deed::What;
 
-Vec3 set_down(const Ground& ground, Vec2 place, float near) {
-    const Vec3 point = at_height(place, near);
-    const auto under = ground_at(ground, point, 1, 3);
-    return under ? Vec3{place.x, under->height, place.z} : point;
-}
-
 Manner manner_of(const DoerPlan&) {
     Manner manner;
     manner.touches = 0;
     manner.curiosity = 0.15f;
     return manner;
-}
-
-RootMotion told(Deeds& d) {
-    const size_t count = d.doers.size();
-    d.position.resize(count), d.velocity.resize(count), d.wish.resize(count);
-    d.heading.resize(count), d.turn_rate.resize(count), d.brakes.resize(count);
-    for (size_t i = 0; i < count; ++i) {
-        const Motion& motion = d.doers[i].motion;
-        d.position[i] = d.doers[i].position;
-        d.velocity[i] = motion.velocity, d.wish[i] = motion.aim;
-        d.heading[i] = motion.heading, d.turn_rate[i] = motion.turn_rate;
-        d.brakes[i] = motion.brakes;
-    }
-    return {d.position.data(),  d.velocity.data(), d.heading.data(),
-            d.turn_rate.data(), d.wish.data(),     d.brakes.data()};
 }
 
 // Those that nobody holds.
@@ -55,7 +34,9 @@ void close_doors(Deeds& d) {
             is_held = is_held || (d.doers[i].has != 0 && deed.thing == n &&
                                   (deed.what == What::push || deed.what == What::pull));
         }
-        if (!is_held) step_closer(d.leaves[n], k_tick);
+        if (is_held) continue;
+        step_closer(d.leaves[n], k_tick);
+        let_by(d, n);
     }
 }
 
@@ -129,7 +110,7 @@ Deeds make_deeds(std::vector<DoerPlan> plans, Things things, std::shared_ptr<con
         manners.push_back(manner_of(plan));
         numbers.push_back(static_cast<uint32_t>(numbers.size()));
     }
-    start_gait(d.gait, d.plans.size(), d.bodies, numbers.data(), scales.data(), told(d),
+    start_gait(d.gait, d.plans.size(), d.bodies, numbers.data(), scales.data(), told(d.doers, d.rows),
                surroundings_of(*d.ground), seed, manners.data());
     for (size_t i = 0; i < d.plans.size(); ++i)
         d.masses.push_back(mass_of(d.gait.people[i / k_block], i % k_block));
@@ -158,7 +139,7 @@ void step_deeds(Deeds& d, uint64_t seed, uint32_t tick) {
         doer.position =
             set_down(*d.ground, on_ground(doer.position) + doer.motion.velocity * k_tick, doer.position.y);
     }
-    const RootMotion root = told(d);
+    const RootMotion root = told(d.doers, d.rows);
     advance_gait(d.gait, 0, count, root, around, seed, tick, k_tick);
     for (size_t i = 0; i < count; ++i) d.doers[i].motion.feet = footwork(d.gait, i, d.doers[i].position);
     d.before.swap(d.whole);
@@ -186,10 +167,8 @@ void lead_movers(const Deeds& d, Movers& movers) {
     }
 }
 
-JointPose doer_joint_between(const Deeds& d, size_t doer, Joint joint, float between) {
-    const JointPose last = joint_pose(d.poses, doer, joint),
-                    before = joint_pose(d.previous_poses, doer, joint);
-    return {lerp(before.position, last.position, between), nlerp(before.rotation, last.rotation, between)};
+JointPose joint_between(const Deeds& d, size_t doer, Joint joint, float between) {
+    return joint_between(d.previous_poses, d.poses, doer, joint, between);
 }
 
 DeedContacts contacts_of(const Deeds& d, size_t i) {

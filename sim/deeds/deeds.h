@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/alone/alone.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/deeds/bend.h"
 #include "sim/deeds/things.h"
@@ -76,9 +77,7 @@ struct Deeds {
     std::vector<PoseBlock> whole, before;          // as the gait has them, after the last tick and before
     std::vector<PoseBlock> poses, previous_poses;  // as they are seen, the same
     // Of one tick alone.
-    std::vector<Vec3> position;
-    std::vector<Vec2> velocity, wish;
-    std::vector<float> heading, turn_rate, brakes;
+    RootRows rows;
 };
 
 // Standing where they begin. `bodies` are of the plans' kinds.
@@ -93,7 +92,7 @@ void forget_previous(Deeds& deeds);
 void lead_movers(const Deeds& deeds, Movers& movers);
 
 // A joint `between` 0, the tick before the last, and 1, the last.
-JointPose doer_joint_between(const Deeds& deeds, size_t doer, Joint joint, float between);
+JointPose joint_between(const Deeds& deeds, size_t doer, Joint joint, float between);
 
 // Where hands hold something that is not theirs, and which feet stand.
 struct DeedContacts {

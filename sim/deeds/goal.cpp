@@ -7,15 +7,15 @@
 namespace flaneur {
 
 DoerWish wish_to(const Doer& doer, const Spot& goal, float speed) {
-    constexpr float k_line = 0.9f, k_carrot = 0.5f, k_brakes = 0.7f, k_slow = 0.23f, k_near = 0.22f,
-                    k_there = 0.012f;
+    constexpr float k_line = 0.9f, k_carrot = 0.5f, k_brakes = 1, k_slow = 0.24f, k_least = 0.09f,
+                    k_near = 0.17f, k_there = 0.02f;
     const Vec2 ahead = heading_direction(goal.heading);
     const Vec2 off = goal.at - on_ground(doer.position);
     const float left = length(off), before = dot(off, ahead);
     DoerWish w;
     if (left < k_near) {
         w.look = ahead;
-        if (left > k_there) w.wish = off * (std::min(k_slow, 1.6f * left) / left);
+        if (left > k_there) w.wish = off * (clamp(2 * left, k_least, k_slow) / left);
         return w;
     }
     const Vec2 aim = goal.at - ahead * clamp(before - k_carrot, 0, k_line);

@@ -28,12 +28,13 @@ Vec3 handle_of(const SwingDoor& door, const LeafNow& now, bool pushes) {
 }
 
 void step_closer(LeafNow& now, float dt) {
-    constexpr float k_lever_rate = 4, k_drag = 2.2f, k_pull = 0.9f, k_most = 0.75f, k_widest = 1.65f;
+    constexpr float k_lever_rate = 4, k_drag = 0.8f, k_rubs = 0.4f, k_pull = 0.9f, k_most = 0.75f,
+                    k_widest = 1.65f;
     now.lever = std::max(now.lever - k_lever_rate * dt, 0.0f);
     now.waits = std::max(now.waits - dt, 0.0f);
     // Slower towards the end, as closers latch.
     const float wanted = now.waits > 0 ? 0 : -std::min(k_most, 0.12f + 0.9f * now.angle);
-    const float change = now.waits > 0 ? k_drag * std::fabs(now.speed) + 0.2f : k_pull;
+    const float change = now.waits > 0 ? k_drag * std::fabs(now.speed) + k_rubs : k_pull;
     now.speed += clamp(wanted - now.speed, -change * dt, change * dt);
     now.angle = clamp(now.angle + now.speed * dt, 0, k_widest);
     if (now.angle <= 0 || now.angle >= k_widest) now.speed = 0;

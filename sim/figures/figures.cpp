@@ -28,12 +28,6 @@ Vec2 on_way(const std::vector<Vec2>& way, float along) {
     return way[0];
 }
 
-Vec3 set_down(const Ground& ground, Vec2 place, float near) {
-    const Vec3 point = at_height(place, near);
-    const auto under = ground_at(ground, point, 1, 3);
-    return under ? Vec3{place.x, under->height, place.z} : point;
-}
-
 Manner manner_of(const FigurePlan& plan) {
     Manner manner;
     manner.touches = plan.by == FigurePlan::By::techniques ? 1.5f : 0.0f;
@@ -82,21 +76,6 @@ void move(const Troupe& f, size_t figure, const FigureWish& want, FigureMove& m)
     m.position = set_down(ground, here + m.motion.velocity * k_tick, m.position.y);
     constexpr float k_crouch_rate = 1.2f;  // a second
     m.crouch += clamp(want.crouch - m.crouch, -k_crouch_rate * k_tick, k_crouch_rate * k_tick);
-}
-
-RootMotion told(const std::vector<FigureMove>& moves, FigureRows& rows) {
-    const size_t count = moves.size();
-    rows.position.resize(count), rows.velocity.resize(count), rows.wish.resize(count);
-    rows.heading.resize(count), rows.turn_rate.resize(count), rows.brakes.resize(count);
-    for (size_t i = 0; i < count; ++i) {
-        const Motion& motion = moves[i].motion;
-        rows.position[i] = moves[i].position;
-        rows.velocity[i] = motion.velocity, rows.wish[i] = motion.aim;
-        rows.heading[i] = motion.heading, rows.turn_rate[i] = motion.turn_rate;
-        rows.brakes[i] = motion.brakes;
-    }
-    return {rows.position.data(),  rows.velocity.data(), rows.heading.data(),
-            rows.turn_rate.data(), rows.wish.data(),     rows.brakes.data()};
 }
 
 // Joints and where they are told from.
@@ -240,9 +219,7 @@ void step_figures(Troupe& f, uint64_t seed, uint32_t tick) {
 }
 
 JointPose joint_between(const Troupe& f, size_t figure, Joint joint, float between) {
-    const JointPose last = joint_pose(f.poses, figure, joint),
-                    before = joint_pose(f.previous_poses, figure, joint);
-    return {lerp(before.position, last.position, between), nlerp(before.rotation, last.rotation, between)};
+    return joint_between(f.previous_poses, f.poses, figure, joint, between);
 }
 
 }  // namespace flaneur

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/alone/alone.h"
 #include "sim/base/parallel_for.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/figures/key_poses.h"
@@ -46,13 +47,6 @@ struct FigureMove {
     Motion motion;
 };
 
-// What the gait is told of them, one value a figure.
-struct FigureRows {
-    std::vector<Vec3> position;
-    std::vector<Vec2> velocity, wish;
-    std::vector<float> heading, turn_rate, brakes;
-};
-
 // One who goes where somebody says, and no way of its own.
 struct FigureLead {
     uint32_t figure = k_no_twin;  // k_no_twin: nobody
@@ -73,7 +67,7 @@ struct Troupe {
     std::vector<PoseBlock> poses, previous_poses;  // as they are seen, the same
     std::vector<Techniques> sets;                  // that plans have on, each once
     // Of one tick alone.
-    FigureRows rows;
+    RootRows rows;
     std::vector<PoseBlock> bare;
 };
 

@@ -45,6 +45,12 @@ JointPose joint_pose(const std::vector<PoseBlock>& poses, size_t walker, Joint j
             {q[0][lane], q[1][lane], q[2][lane], q[3][lane]}};
 }
 
+JointPose joint_between(const std::vector<PoseBlock>& before, const std::vector<PoseBlock>& last,
+                        size_t walker, Joint joint, float between) {
+    const JointPose a = joint_pose(before, walker, joint), b = joint_pose(last, walker, joint);
+    return {lerp(a.position, b.position, between), nlerp(a.rotation, b.rotation, between)};
+}
+
 Sole sole(const std::vector<PoseBlock>& poses, const Gait& gait, size_t walker, Side side) {
     const PersonBlock& person = gait.people[walker / k_block];
     size_t lane = walker % k_block;

@@ -34,6 +34,9 @@ struct JointPose {
     Quat rotation;
 };
 JointPose joint_pose(const std::vector<PoseBlock>& poses, size_t walker, Joint joint);
+// Between two ticks; `between` 0 is `before`, 1 `last`.
+JointPose joint_between(const std::vector<PoseBlock>& before, const std::vector<PoseBlock>& last,
+                        size_t walker, Joint joint, float between);
 
 // The soles of a planted foot, for checks: heel, ball and tip of the toes in the world.
 struct Sole {

@@ -19,6 +19,7 @@ constexpr float k_near = 0.06f;               // metres that a sole may be off t
 constexpr float k_on_it = 0.02f;              // metres that a place may be off what bears it
 constexpr uint32_t k_stays[] = {20, 45, 90};  // ticks, for which the ground has to stay
 constexpr float k_alike = 0.02f;              // metres, that two things are off each other's way by then
+constexpr float k_alike_high = 0.006f;        // and up or down of it
 constexpr float k_leaves = 0.22f;             // legs, that it may be off by then
 
 // Whether one stands at a place of the ground, below nothing.
@@ -37,6 +38,25 @@ bool is_walked_under(const StandingOn& on, const Seeker& who, const FootPlace& p
         if (!is_free(on, at)) return false;
     }
     return true;
+}
+
+// A stiff sole lies on the highest of what is below it; none where heel and toes would be on different
+// levels.
+std::optional<FootPlace> laid_on(const StandingOn& on, const Seeker& who, FootPlace place) {
+    constexpr float k_most = 0.018f, k_uneven = 0.012f;  // metres up or down; between what is below it
+    const Vec2 ahead = heading_direction(place.yaw);
+    const float slope =
+        -(place.normal.x * ahead.x + place.normal.z * ahead.z) / std::max(place.normal.y, 0.2f);
+    float least = k_most, most = -k_most;
+    for (const float along : {-who.size.heel, 0.0f, who.size.ball, who.size.tip}) {
+        const Vec3 at = place.position + at_height(ahead * along, slope * along);
+        const auto hit = ground_at(on.around, at, k_near, k_near);
+        if (!hit) continue;
+        least = std::min(least, at.y - hit->height), most = std::max(most, at.y - hit->height);
+    }
+    if (most - least > k_uneven) return std::nullopt;
+    place.position.y -= clamp(least, -k_most, k_most);
+    return place;
 }
 
 uint32_t mover_under(const StandingOn& on, Vec3 at) {
@@ -68,8 +88,10 @@ bool is_of_one(const StandingOn& on, const Seeker& who, const FootPlace& place, 
             return own;
         };
         const Foothold there = owned(mover), here = owned(hold.mover);
-        for (const uint32_t ticks : k_stays)
-            if (length(later(on, there, ticks) - later(on, here, ticks)) > k_alike) return false;
+        for (const uint32_t ticks : k_stays) {
+            const Vec3 off = later(on, there, ticks) - later(on, here, ticks);
+            if (length(off) > k_alike || std::fabs(off.y) > k_alike_high) return false;
+        }
     }
     return true;
 }
@@ -151,12 +173,15 @@ std::optional<Vec3> ray_down(const StandingOn& on, Vec2 at, float height, float 
 std::optional<Foothold> foothold_at(const StandingOn& on, const Seeker& who, Vec3 wanted, float yaw) {
     const Footing found =
         find_footing(on.around, {wanted, yaw, {0, 1, 0}}, who.size, who.side == k_left ? 1.0f : -1.0f);
-    if (!found.found || !found.whole || !suits(on, who, found.place)) return std::nullopt;
-    const Foothold hold = bound(on, found.place);
+    if (!found.found || !found.whole) return std::nullopt;
+    const std::optional<FootPlace> laid = laid_on(on, who, found.place);
+    if (!laid || !suits(on, who, *laid)) return std::nullopt;
+    const FootPlace& place = *laid;
+    const Foothold hold = bound(on, place);
     // Neither on a thing nor on the ground: between some.
-    if (hold.mover == k_still_ground && !ground_at(*on.ground.ground, found.place.position, k_on_it, k_on_it))
+    if (hold.mover == k_still_ground && !ground_at(*on.ground.ground, place.position, k_on_it, k_on_it))
         return std::nullopt;
-    if (!is_of_one(on, who, found.place, hold) || !stays(on, who, hold)) return std::nullopt;
+    if (!is_of_one(on, who, place, hold) || !stays(on, who, hold)) return std::nullopt;
     return hold;
 }
 

@@ -48,4 +48,7 @@ void look_for_places(const Own& o);
 // Tells the gait where both are and go.
 void write_feet(const Own& o);
 
+// Hands go along ropes that are beside the body and within an arm's length, on them to the tick.
+void hold_rails(const Own& o);
+
 }  // namespace flaneur

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "sim/base/rng.h"
@@ -34,15 +35,13 @@ bool set_down(const Own& o, float along, std::span<const Vec2> others) {
     return std::fabs(o.b.feet[0].place.y - o.b.feet[1].place.y) < 0.02f;
 }
 
-}  // namespace
-
-SetDown make_bipeds(std::vector<BipedWay> ways, std::vector<uint32_t> walkers,
-                    const std::vector<float>& likes, bool is_flat, const MovingGround& ground, Gait& gait,
-                    uint64_t seed, std::span<const Vec2> others) {
+SetDown set_all_down(std::vector<BipedWay> ways, std::span<const uint32_t> walkers,
+                     std::span<const float> likes, bool is_flat, const MovingGround& ground, Gait& gait,
+                     uint64_t seed, std::span<const Vec2> others) {
     SetDown made;
     Bipeds& bipeds = made.bipeds;
     bipeds.ways = std::move(ways);
-    bipeds.walkers = std::move(walkers);
+    bipeds.walkers.assign(walkers.begin(), walkers.end());
     bipeds.room.assign(likes.size(), k_all_room);
     bipeds.aside.assign(likes.size(), 0.0f);
     bipeds.is_flat = is_flat;
@@ -82,6 +81,25 @@ SetDown make_bipeds(std::vector<BipedWay> ways, std::vector<uint32_t> walkers,
         o.g.standing[o.lane] = 1;
         b.reach = reach_of(o, 0);
         look_for_places(o);
+    }
+    return made;
+}
+
+}  // namespace
+
+SetDown make_bipeds(std::vector<BipedWay> ways, std::span<const uint32_t> walkers,
+                    std::span<const float> likes, bool is_flat, const MovingGround& ground, Gait& gait,
+                    uint64_t seed, std::span<const Vec2> others) {
+    auto set_down = [&](size_t count) {
+        return set_all_down(ways, walkers.first(count), likes.first(count), is_flat, ground, gait, seed,
+                            others);
+    };
+    SetDown made = set_down(likes.size());
+    if (made.placed == likes.size()) return made;
+    // They are set down evenly: fewer stand elsewhere, and may not all find room either.
+    for (size_t count = made.placed; count > 0; --count) {
+        made.placed = set_down(count).placed;
+        if (made.placed == count) break;
     }
     return made;
 }

@@ -21,10 +21,11 @@ constexpr float k_hangs = 0.07f;  // legs that it draws the body off the middle 
 constexpr float k_follows = 6;    // 1/s, of the body
 constexpr float k_speeds_up = 0.9f, k_slows_down = 1.6f;             // m/s2, of the point
 constexpr float k_turns = 1.5f, k_turns_in = 6, k_turn_gain = 3.5f;  // rad/s, rad/s2, 1/s
-constexpr float k_apart = 0.5f, k_apart_eases = 0.9f;                // metres from who is ahead
+constexpr float k_apart = 0.56f, k_apart_eases = 0.9f;               // metres from who is ahead
 constexpr float k_goes_aside = 0.4f;                                 // m/s, off its way and back
 constexpr float k_brakes = 4;                                        // m/s2, of who finds no place
 constexpr float k_just_below = 1e-4f, k_phase_rate = 4.5f;           // as the gait has them
+constexpr float k_lifts_rate = 2, k_heel_down = 0.3f;                // of who stands
 constexpr float k_stands_below = 0.07f;                              // m/s
 constexpr uint32_t k_look_again = 5;                                 // ticks, of one who waits
 constexpr float k_astride = 0.33f;                                   // legs, between feet of who stands
@@ -213,7 +214,11 @@ float swing_rate(const Own& o) {
     constexpr float k_comes_down = 0.025f, k_effort = 5, k_least = 0.25f;  // metres, m/s2, of the usual rate
     const Foothold to = in_world(*o.on.ground.movers, b.target);
     const float by = o.g.base[o.lane] - to.place.y, falls = -o.g.base_velocity[o.lane];
-    const float usual = 1 / b.lasts;
+    // It does not come down where the body cannot be yet: legs, from the body to where it lands.
+    constexpr float k_reaches = 0.47f, k_beyond = 0.1f, k_comes_near = 0.6f;  // and of the step
+    const float far = length(on_ground(to.place) - b.body) / o.leg;
+    const float waits = smoothstep(k_comes_near, 0.9f, b.share) * clamp((far - k_reaches) / k_beyond, 0, 1);
+    const float usual = lerp(1, k_least, waits) / b.lasts;
     if (by < k_comes_down) return usual;
     const float seconds = (std::sqrt(4 * falls * falls + 6 * k_effort * by) - 2 * falls) / k_effort;
     return clamp((1 - b.share) / std::max(seconds, 0.02f), k_least * usual, usual);
@@ -267,7 +272,7 @@ void check_range(const Own& o) {
     const int lane = o.lane;
     if (parts(o)) {
         const Side side = behind(o);
-        approach_phase(o, side, g.duty[lane] - k_just_below, 3 * k_phase_rate);
+        approach_phase(o, side, g.duty[lane] - k_just_below, k_lifts_rate);
         if (g.feet[side].phase[lane] < g.duty[lane] - 2 * k_just_below) return;
         if (fetch(o)) {
             g.standing[lane] = 0;
@@ -280,10 +285,10 @@ void check_range(const Own& o) {
     // The one that stood longer where neither is clearly farther.
     constexpr float k_clearly = 0.03f;
     const bool left_stood = g.feet[k_left].phase[lane] >= g.feet[k_right].phase[lane];
-    const float bias = left_stood ? k_clearly : -k_clearly;
+    const float bias = g.standing[lane] ? 0 : left_stood ? k_clearly : -k_clearly;
     Side side = away[k_left] + bias >= away[k_right] ? k_left : k_right;
     // Who stands and finds no place for that one tries the other.
-    if (g.standing[lane] && b.waits >= k_look_again) side = o.other(side);
+    if (g.standing[lane] && b.waits / k_look_again % 2 == 1) side = o.other(side);
     const float duty = g.duty[lane];
     const bool is_out = away[side] > b.reach && b.waits < 2 * k_look_again;
     const bool rests = b.speed < k_stands_below && length(b.velocity) < 2 * k_stands_below;
@@ -292,7 +297,7 @@ void check_range(const Own& o) {
         g.first[lane] = is_out ? static_cast<int32_t>(side) : -1;
         for (const Side each : {k_left, k_right})
             approach_phase(o, each, is_out && each == side ? duty - k_just_below : k_rest,
-                           is_out && each == side ? k_phase_rate : 1.5f);
+                           is_out && each == side ? k_lifts_rate : 1.5f);
         if (!is_out) {
             if (away[side] <= b.reach)
                 b.waits = 0;
@@ -303,6 +308,8 @@ void check_range(const Own& o) {
         }
         const float carried = side == k_left ? g.load[lane] : 1 - g.load[lane];
         if (carried > 0.2f || g.feet[side].phase[lane] < duty - 2 * k_just_below) return;
+        // The other one's heel is down.
+        if (g.feet[o.other(side)].phase[lane] > duty - k_heel_down) return;
         if (!lift_off(o, side)) return;
         g.standing[lane] = 0;
         g.first[lane] = -1;
@@ -321,7 +328,10 @@ void check_range(const Own& o) {
     if (b.due < 1 || g.feet[side].phase[lane] < duty - 2 * k_just_below || lift_off(o, side)) return;
     // Who finds no place ahead sets the foot beside the other, and stands.
     const float astride = length(on_ground(o.now(k_left).place - o.now(k_right).place));
-    if (b.waits == 1 && astride > k_astride * o.leg) fetch(o);
+    if (astride <= k_astride * o.leg) return;
+    const Side last = behind(o);
+    approach_phase(o, last, duty - k_just_below, k_phase_rate + k_lifts_rate);  // against what is above
+    if (g.feet[last].phase[lane] >= duty - 2 * k_just_below && b.waits % k_look_again == 1) fetch(o);
 }
 
 void step_feet(const Own& o) {
@@ -406,6 +416,7 @@ void step_block(Bipeds& bipeds, const StandingOn& on, Gait& gait, size_t first, 
         if (bipeds.all[i].is_down != 0) continue;
         const Own o = own_of(bipeds, i, gait, on);
         step_feet(o);
+        hold_rails(o);
         turn_gaze(o);
         g.interest[o.lane] = 0;
         const RandomKey look{seed, static_cast<uint32_t>(i), tick / 240, Purpose::look};

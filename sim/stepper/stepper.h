@@ -110,13 +110,14 @@ inline constexpr float k_all_room = 1e9f;  // Bipeds::room where nobody else is
 
 // Set down along their ways, in turns, where both feet find still ground. Of the gait they have those
 // `walkers`, ascending, whose feet are placed anew, and not where `others` stand; `likes` are their speeds,
-// m/s. How many found room may be fewer.
+// m/s. Where not all find room, `placed` is how many do when no more are asked for, and `bipeds` are not to be
+// used.
 struct SetDown {
     Bipeds bipeds;
     size_t placed = 0;
 };
-SetDown make_bipeds(std::vector<BipedWay> ways, std::vector<uint32_t> walkers,
-                    const std::vector<float>& likes, bool is_flat, const MovingGround& ground, Gait& gait,
+SetDown make_bipeds(std::vector<BipedWay> ways, std::span<const uint32_t> walkers,
+                    std::span<const float> likes, bool is_flat, const MovingGround& ground, Gait& gait,
                     uint64_t seed, std::span<const Vec2> others = {});
 
 // One goes on from where its feet have come to, as the gait has them, with its body at `body`.

@@ -49,6 +49,18 @@ TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
     EXPECT_EQ(scene->blocks, Scene().blocks);
 }
 
+TEST_F(SceneFile, OfACourseOrAYardTakesAsManyAsFindRoom) {
+    const auto walkers = [&](const char* text) {
+        const Result<Scene> scene = load(text);
+        EXPECT_TRUE(scene) << text;
+        return scene ? scene->walkers : -1;
+    };
+    EXPECT_EQ(walkers(R"({"built": "course"})"), k_course_walkers);
+    EXPECT_EQ(walkers(R"({"built": "yard"})"), k_yard_walkers);
+    EXPECT_EQ(walkers(R"({"built": "course", "walkers": 500})"), 500) << "who asks is told how many do";
+    EXPECT_EQ(walkers("{}"), 500);
+}
+
 TEST(Places, KnowWhereOneDrivesOnTheLeft) {
     for (const MapPlace left : {MapPlace{51.52, -0.09},
                                 {35.68, 139.7},

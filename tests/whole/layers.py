@@ -29,8 +29,9 @@ sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
-sim/figures: sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
-sim/deeds: sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
+sim/alone: sim/crowd, sim/gait, sim/ground
+sim/figures: sim/alone, sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
+sim/deeds: sim/alone, sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
 sim: sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
@@ -122,8 +123,8 @@ tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, 
 tools/flaneur/window/panels: tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change
 tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
-tools/flaneur/window/change sources: assets, assets/files, assets/stages, sim/base, sim/ways, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/time
-tools/flaneur/window/steppers sources: sim, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/steppers
+tools/flaneur/window/change sources: assets, assets/files, assets/stages, sim/base, sim/ways, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/steppers, tools/flaneur/window/time
+tools/flaneur/window/steppers sources: sim, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/open, tools/flaneur/window/steppers
 tools/flaneur/window/exhibits sources: renderer, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/exhibits
 tools/flaneur/window/frame sources: renderer, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/frame
 tools/flaneur/window/kept sources: assets/files, sim/base, tools/flaneur/console, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/kept, tools/flaneur/window/open

@@ -60,7 +60,7 @@ void add_doers(const Deeds& deeds, const std::vector<Character>& characters, Peo
         const uint32_t kind = deeds.plans[i].kind;
         JointPose joints[k_joint_count];
         for (size_t j = 0; j < k_joint_count; ++j)
-            joints[j] = doer_joint_between(deeds, i, static_cast<Joint>(j), between);
+            joints[j] = joint_between(deeds, i, static_cast<Joint>(j), between);
         add_one(joints, characters[kind], kind, first_id + static_cast<uint32_t>(i),
                 deeds.doers[i].motion.heading, around, frame);
     }

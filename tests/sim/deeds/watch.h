@@ -64,6 +64,7 @@ struct DeedWatch {
     DeedWorst slides;     // metres a tick, of a foot that stands
     DeedWorst palms;      // metres that a palm is off what it holds
     DeedWorst into;       // metres that something is in something
+    DeedWorst crossed;    // the same of arms and legs
     std::vector<PoseBlock> before;
     ClimbHolds held;
     Vec3 stood[2];
@@ -142,19 +143,25 @@ inline float from_box(Vec3 own, Vec3 half) {
     return length(out) + std::min(std::max({q.x, q.y, q.z}), 0.0f);
 }
 
-// Calls each(place, radius, name) along legs and trunk, as thick as people are.
+// Calls each(place, radius, name) along legs, shoes, trunk and head, as thick as people are.
 template <class Each>
 void for_each_part(const Deeds& d, size_t i, const Each& each) {
-    const float k = d.bodies[i].height / 1.75f;
+    const Body& body = d.bodies[i];
+    const float k = body.height / 1.75f, sole = 0.033f * k;
     for (const Joint upper : {left_upper_leg, right_upper_leg}) {
-        const Vec3 hip = joint_at(d, i, upper), knee = joint_at(d, i, static_cast<Joint>(upper + 1)),
-                   foot = joint_at(d, i, static_cast<Joint>(upper + 2)),
-                   ball = joint_at(d, i, static_cast<Joint>(upper + 3));
+        const Vec3 hip = joint_at(d, i, upper), knee = joint_at(d, i, static_cast<Joint>(upper + 1));
+        const JointPose foot = joint_pose(d.poses, i, static_cast<Joint>(upper + 2)),
+                        toes = joint_pose(d.poses, i, static_cast<Joint>(upper + 3));
+        const float high = body.joints[left_foot].y, low = body.joints[left_toes].y;
+        const Vec3 heel = foot.position + rotate(foot.rotation, {0, sole - high, sole - body.heel}),
+                   ball = toes.position + rotate(toes.rotation, {0, sole - low, 0}),
+                   tip = toes.position + rotate(toes.rotation, {0, sole - low, body.toe - sole});
         for (int n = 0; n <= 8; ++n) {
             const float t = static_cast<float>(n) / 8;
             each(lerp(hip, knee, 0.12f + 0.88f * t), (0.072f - 0.02f * t) * k, "thigh");
-            each(lerp(knee, foot, t), (0.05f - 0.015f * t) * k, "shank");
-            each(lerp(foot, ball, t), 0.028f * k, "foot");
+            each(lerp(knee, foot.position, t), (0.05f - 0.015f * t) * k, "shank");
+            each(lerp(heel, ball, t), sole, "shoe");
+            each(lerp(ball, tip, t), sole, "shoe");
         }
     }
     const Joint up[] = {hips, spine, chest, upper_chest};
@@ -162,6 +169,37 @@ void for_each_part(const Deeds& d, size_t i, const Each& each) {
         for (int m = 0; m < 4; ++m)
             each(lerp(joint_at(d, i, up[n]), joint_at(d, i, up[n + 1]), 0.25f * static_cast<float>(m)),
                  0.095f * k, "trunk");
+    const JointPose top = joint_pose(d.poses, i, head);
+    each(top.position + rotate(top.rotation, {0, 0.1f * k, 0.01f * k}), 0.09f * k, "head");
+}
+
+// The same along an arm and its hand.
+template <class Each>
+void for_each_part_of_arm(const Deeds& d, size_t i, Side side, const Each& each) {
+    const float k = d.bodies[i].height / 1.75f;
+    const Joint upper = side == k_left ? left_upper_arm : right_upper_arm;
+    const Vec3 shoulder = joint_at(d, i, upper), elbow = joint_at(d, i, static_cast<Joint>(upper + 1));
+    const JointPose wrist = joint_pose(d.poses, i, static_cast<Joint>(upper + 2));
+    for (int n = 1; n <= 6; ++n) {
+        const float t = static_cast<float>(n) / 6;
+        each(lerp(shoulder, elbow, t), 0.042f * k, "upper arm");
+        each(lerp(elbow, wrist.position, 0.9f * t), 0.033f * k, "forearm");
+    }
+    for (int n = 1; n <= 4; ++n)
+        each(wrist.position + rotate(wrist.rotation, {0, -0.045f * k * static_cast<float>(n), 0}), 0.012f * k,
+             "hand");
+}
+
+// How deep arms are in legs.
+inline void see_arms_in_legs(const Deeds& d, size_t i, uint32_t tick, DeedWorst& worst) {
+    for (const Side side : {k_left, k_right})
+        for_each_part_of_arm(d, i, side, [&](Vec3 a, float thick, std::string_view arm) {
+            if (arm == "upper arm") return;
+            for_each_part(d, i, [&](Vec3 b, float radius, std::string_view leg) {
+                if (leg == "trunk" || leg == "head") return;
+                worst.see(thick + radius - length(a - b), tick, std::string(arm) + " in " + std::string(leg));
+            });
+        });
 }
 
 // A foot that stands does not move: as the gait has it, but over a wall.
@@ -215,17 +253,34 @@ inline void see_palms(const Deeds& d, size_t i, uint32_t tick, DeedWatch& w) {
         const LeafNow& leaf = d.leaves[deed.thing];
         const bool pushes = deed.what == Deed::What::push;
         const Side side = hand_at(door, pushes);
-        if (doer.has != 0)
-            w.palms.see(length(palm_of(pose, someone(d, i), side).place - handle_of(door, leaf, pushes) -
-                               Vec3{0, k_lever_thick, 0}),
-                        tick, "on a handle");
+        const LeafHold hold = hold_of(doer);
+        const Palm palm = palm_of(pose, someone(d, i), side);
+        if (doer.has != 0 && hold.share <= 0) {
+            // The lever is somewhere below the hand, from the palm to the fingers.
+            const Vec3 off = handle_of(door, leaf, pushes) - palm.faces * k_lever_thick - palm.place;
+            const float along = clamp(dot(off, palm.fingers), 0, 0.055f * d.bodies[i].height / 1.75f);
+            w.palms.see(length(off - palm.fingers * along), tick, "on a handle");
+        }
+        if (doer.has != 0 && hold.share >= 1) {
+            const Vec3 at =
+                on_leaf(door, leaf.angle, {hold.far, palm.place.y - door.floor, -0.5f * door.thick});
+            w.palms.see(length(palm.place - at), tick, "on a leaf");
+        }
         const Quat turn = rotation_y(leaf_yaw(door, leaf.angle));
         const Vec3 middle = on_leaf(door, leaf.angle, {0.5f * door.width, 0.5f * door.height, 0});
         const Vec3 half{0.5f * door.width, 0.5f * door.height, 0.5f * door.thick};
-        for_each_part(d, i, [&](Vec3 at, float radius, std::string_view name) {
+        // The wall beside it is 0.3 m thick, and ends 15 mm from the leaf.
+        auto see_door = [&](Vec3 at, float radius, std::string_view name) {
             w.into.see(radius - from_box(rotate(conjugate(turn), at - middle), half), tick,
                        std::string(name) + ", a leaf");
-        });
+            const Quat shut = rotation_y(leaf_yaw(door, 0));
+            for (const float end : {-0.015f - 0.5f, door.width + 0.015f + 0.5f}) {
+                const Vec3 own = rotate(conjugate(shut), at - on_leaf(door, 0, {end, 1, 0}));
+                w.into.see(radius - from_box(own, {0.5f, 1, 0.15f}), tick, std::string(name) + ", a jamb");
+            }
+        };
+        for_each_part(d, i, see_door);
+        for (const Side arm : {k_left, k_right}) for_each_part_of_arm(d, i, arm, see_door);
     }
     if (deed.what == Deed::What::climb && doer.stage == DoerStage::act) {
         const LowWall& wall = d.things.walls[deed.thing];
@@ -237,10 +292,13 @@ inline void see_palms(const Deeds& d, size_t i, uint32_t tick, DeedWatch& w) {
         const Quat turn = rotation_y(wall.heading);
         const Vec3 middle = at_height(wall.at, wall.floor + 0.5f * wall.height);
         const Vec3 half{wall.half_long, 0.5f * wall.height, 0.5f * wall.thick};
-        for_each_part(d, i, [&](Vec3 at, float radius, std::string_view name) {
+        auto see_wall = [&](Vec3 at, float radius, std::string_view name) {
             w.into.see(radius - from_box(rotate(conjugate(turn), at - middle), half), tick,
                        std::string(name) + ", a wall");
-        });
+        };
+        for_each_part(d, i, see_wall);
+        for (const Side arm : {k_left, k_right}) for_each_part_of_arm(d, i, arm, see_wall);
+        see_arms_in_legs(d, i, tick, w.crossed);
     }
 }
 

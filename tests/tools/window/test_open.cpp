@@ -43,6 +43,20 @@ TEST(Opening, ASceneComesInPlaceOfAll) {
     EXPECT_TRUE(square->file.empty());
 }
 
+TEST(Opening, ACourseIsLaidOutAnewWithThosePeople) {
+    const Words before = {"--scene=stepper", "--device", "llvm", "--seed", "3", "--camera", "follow:1"};
+    const Result<ShowWish> flat = wish_for_course(before, true, 9, 7);
+    ASSERT_TRUE(flat) << flat.error().message;
+    EXPECT_TRUE(flat->options.scene.flat);
+    EXPECT_EQ(flat->options.scene.walkers, 9);
+    EXPECT_EQ(flat->options.scene.seed, 7u);
+    EXPECT_EQ(flat->options.device, "llvm");
+    const Result<ShowWish> round = wish_for_course(flat->words, false, 110, 7);
+    ASSERT_TRUE(round) << round.error().message;
+    EXPECT_FALSE(round->options.scene.flat);
+    EXPECT_EQ(round->options.scene.walkers, k_course_walkers) << "who find room";
+}
+
 TEST(Opening, ACharacterJoinsThePeople) {
     TestFolder folder;
     const std::string me = folder.write("me.vrm", "no matter what"),

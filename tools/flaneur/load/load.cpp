@@ -330,6 +330,8 @@ static void spare_course(std::vector<Kind>& kinds) {
 Result<Loaded> load(const Options& options) {
     FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
+    if (!scene.says_how_many && (is_of(scene, BuiltIn::course) || is_of(scene, BuiltIn::yard)))
+        say("Nobody said how many walk: " + std::to_string(scene.walkers) + ", as many as surely find room.");
     Loaded loaded;
     std::optional<SmallWorld> round;
     if (is_small_world(scene)) {

@@ -13,7 +13,7 @@ void add_deed_gizmos(const OverlayInput& input, Overlay& overlay) {
     constexpr uint32_t k_hand = ink(0xf2a53c), k_foot = ink(0x62c0e6);
     const Deeds& deeds = input.world.deeds;
     for (size_t i = 0; i < deeds.plans.size(); ++i) {
-        const Vec3 at = doer_joint_between(deeds, i, head, input.between).position;
+        const Vec3 at = joint_between(deeds, i, head, input.between).position;
         if (glm::length(to_glm(at) - input.camera.eye) > k_reach) continue;
         const std::string words = what_it_does(deeds, i);
         add_text(overlay.lines, {{at.x, at.y + k_over, at.z}, {-0.5f * text_width(words, k_letters), 0}},
@@ -26,7 +26,7 @@ void add_deed_gizmos(const OverlayInput& input, Overlay& overlay) {
         for (const Side side : {k_left, k_right}) {
             if (!contacts.stands[side]) continue;
             const Joint toes = side == k_left ? left_toes : right_toes;
-            add_point(overlay.lines, pen, to_glm(doer_joint_between(deeds, i, toes, input.between).position));
+            add_point(overlay.lines, pen, to_glm(joint_between(deeds, i, toes, input.between).position));
         }
     }
 }

@@ -19,6 +19,7 @@
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
 #include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/steppers/steppers.h"
 #include "tools/flaneur/window/time/beside.h"
 #include "tools/flaneur/window/widgets.h"
 
@@ -103,8 +104,9 @@ void lay_out_people(const Show& show, Viewer& v, float scale) {
     ImGui::TextUnformatted("People");
     if (is_closed) return ImGui::TextDisabled("as many as there are: nobody comes here from elsewhere");
     ImGui::SetNextItemWidth(170 * scale);
-    constexpr int k_most_slid = 100'000;  // more are typed
-    const bool is_slid = ImGui::SliderInt("##people", &people, 0, k_most_slid, "%d",
+    // More are typed; in a yard no more find room.
+    const int most_slid = is_of(c.scene, BuiltIn::yard) ? k_yard_walkers : 100'000;
+    const bool is_slid = ImGui::SliderInt("##people", &people, 0, most_slid, "%d",
                                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     const uint64_t gesture = gesture_of_item(c);
     tip("they come and go out of sight, where there is room");
@@ -347,6 +349,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_people(show, v, scale);
     lay_out_who(show, v, scale);
     lay_out_platform(show, v, scale);
+    lay_out_course(show, v);
     lay_out_drink(show, v, scale);
     if (!show.loaded.world->roam && !is_on_course(*show.loaded.world)) {
         ImGui::Spacing();

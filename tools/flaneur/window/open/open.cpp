@@ -81,6 +81,10 @@ void open_path(Viewer& v, const std::string& path) {
     wish(v, wish_for_file(v.opening.words, full_path(path)));
 }
 void open_scene(Viewer& v, const std::string& name) { wish(v, wish_for_scene(v.opening.words, name)); }
+void open_course(Viewer& v, bool is_flat) {
+    const Scene& scene = v.change.scene;
+    wish(v, wish_for_course(v.opening.words, is_flat, scene.walkers, scene.seed));
+}
 
 void go_on_opening(Show& show, Viewer& v) {
     Opening& o = v.opening;

@@ -59,6 +59,8 @@ void begin_opening(const Options& options, Opening& opening);
 // Asks for one.
 void open_path(Viewer& viewer, const std::string& path);
 void open_scene(Viewer& viewer, const std::string& name);
+// Of who is on a course: the same in one line, or round.
+void open_course(Viewer& viewer, bool is_flat);
 
 // Once a frame: looks at what was dropped, begins to load what is asked for, and, once that is there, shows
 // it in place of what was. Tells what could not be opened.

@@ -107,4 +107,16 @@ Result<ShowWish> wish_for_scene(const std::vector<std::string>& words, const std
     return parsed(std::move(wish));
 }
 
+Result<ShowWish> wish_for_course(const std::vector<std::string>& words, bool is_flat, int walkers,
+                                 uint64_t seed) {
+    ShowWish wish{without(words, {"--scene", "--camera", "--walkers", "--seed"}),
+                  {},
+                  {},
+                  is_flat ? "The course is in one line." : "The course goes round."};
+    add(wish.words, "--scene", is_flat ? "stepper-flat" : "stepper");
+    add(wish.words, "--walkers", std::to_string(std::min(walkers, k_course_walkers)));
+    add(wish.words, "--seed", std::to_string(seed));
+    return parsed(std::move(wish));
+}
+
 }  // namespace flaneur

@@ -1,6 +1,7 @@
 // What becomes of the words that opened a window when a file is opened in it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,10 @@ Result<ShowWish> wish_for_file(const std::vector<std::string>& words, const std:
 
 // The same of a built-in scene.
 Result<ShowWish> wish_for_scene(const std::vector<std::string>& words, const std::string& name);
+
+// The course in one line, or round, with so many people, as far as they find room; all else that was said
+// stays.
+Result<ShowWish> wish_for_course(const std::vector<std::string>& words, bool is_flat, int walkers,
+                                 uint64_t seed);
 
 }  // namespace flaneur

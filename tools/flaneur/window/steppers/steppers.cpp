@@ -1,6 +1,7 @@
 #include "tools/flaneur/window/steppers/steppers.h"
 
 #include <GLFW/glfw3.h>
+#include <imgui.h>
 
 #include <array>
 
@@ -9,9 +10,11 @@
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/input.h"
+#include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/pick.h"
 #include "tools/flaneur/window/viewer.h"
+#include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
 
@@ -36,6 +39,11 @@ constexpr std::array k_actions = {
                v.steppers.driven_goes = !v.steppers.driven_goes;
                tell(v, v.steppers.driven_goes ? "Who is driven goes to the pointer."
                                               : "Who is driven goes by keys.");
+           }},
+    Action{"On a course: all of it in one line, or round", "", 0, 0,
+           [](Show& show, Viewer& v) {
+               if (!steps(show)) return tell_of_course(v);
+               open_course(v, !show.loaded.world->stepping->bipeds.is_flat);
            }},
 };
 
@@ -67,6 +75,16 @@ void follow_pointer(Show& show, const Mouse& mouse, Size size, bool is_elsewhere
     // It stays where it is while the pointer is nowhere.
     if (goes && !hand.place && world.stepping->orders[0].has_goal != 0) return;
     go_to(world, goes ? hand.place : std::nullopt);
+}
+
+void lay_out_course(const Show& show, Viewer& v) {
+    if (!steps(show)) return;
+    ImGui::Spacing();
+    bool is_flat = show.loaded.world->stepping->bipeds.is_flat;
+    ImGui::BeginDisabled(is_opening(v.opening));
+    if (ImGui::Checkbox("The course in one line", &is_flat)) open_course(v, is_flat);
+    ImGui::EndDisabled();
+    tip("each in a lane of its own, its feet in one plane; begins anew");
 }
 
 std::span<const Action> stepper_actions() { return k_actions; }

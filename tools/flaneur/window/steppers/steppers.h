@@ -31,6 +31,9 @@ void follow_pointer(Show& show, const Mouse& mouse, Size size, bool is_elsewhere
 // Whether a hand leads them so, which is not simulated again.
 bool is_led_by_pointer(const Show& show);
 
+// In the room Change: whether the course is in one line. Nothing elsewhere.
+void lay_out_course(const Show& show, Viewer& viewer);
+
 std::span<const Action> stepper_actions();
 
 }  // namespace flaneur
