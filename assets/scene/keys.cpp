@@ -154,6 +154,11 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::helpers>(
             "helpers", {number, 0, 1}, "0.5", "0.8",
             "How many of those who are near and could help up somebody who has fallen do; 0: nobody minds."),
+        plain_key<&Scene::lamps>("lamps", {flag}, "false", "true",
+                                 "Whether traffic lights work, and people wait for them."),
+        plain_key<&Scene::jaywalkers>(
+            "jaywalkers", {number, 0, 1}, "0.1", "0.05",
+            "How many of those who come to a crossing while its lamp is red go on; only with lamps."),
         {"idles",
          {texts},
          nullptr,

@@ -86,6 +86,8 @@ std::string scene_text(const Scene& s) {
     tell("added", added_of(s.added), !s.added.empty());
     tell("pushes", pushes_of(s.pushes), !s.pushes.empty());
     tell("helpers", short_number(s.helpers), s.helpers != usual.helpers);
+    tell("lamps", s.lamps, s.lamps);
+    tell("jaywalkers", short_number(s.jaywalkers), s.jaywalkers != usual.jaywalkers);
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
     if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);

@@ -274,6 +274,8 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
         plain.camera.kind = is_elsewhere ? CameraChoice::Kind::overview : CameraChoice::Kind::street;
         plain.habit = key == "limbs" ? Habit::ramble : Habit::wander;
         if (key == "limbs") one["habit"] = "ramble";
+        plain.lamps = key == "jaywalkers";
+        if (plain.lamps) one["lamps"] = true;
         Result<Scene> scene = parse_scene(one.dump(), "it");
         ASSERT_TRUE(scene) << scene.error().message;
         EXPECT_EQ(*scene == plain, key == "$schema") << key;

@@ -14,6 +14,7 @@
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
+#include "tools/flaneur/window/change/lamps.h"
 #include "tools/flaneur/window/change/platform.h"
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
@@ -341,6 +342,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_who(show, v, scale);
     lay_out_platform(show, v, scale);
     lay_out_drink(show, v, scale);
+    lay_out_lamps(show, v, scale);
     if (!show.loaded.world->roam && !show.loaded.world->stepping) {
         ImGui::Spacing();
         lay_out_tools(v, scale);
