@@ -50,6 +50,11 @@ void index_city(City& city) {
     index_ground(ground);
 }
 
+void settle_crossings(City& city) {
+    for (Crossing& c : city.crossings.all)
+        if (const auto hit = ground_at(city.ground, c.centre, 60, 60)) c.centre.y = hit->height;
+}
+
 void list_obstacles(City& city) {
     city.ground.obstacles.clear();
     for (const Prop& p : city.props) city.ground.obstacles.push_back({p.position, p.yaw, half_footprint(p)});

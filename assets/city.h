@@ -11,6 +11,7 @@
 #include "sim/base/vec.h"
 #include "sim/crowd/demand.h"
 #include "sim/ground/ground.h"
+#include "sim/lamps/crossings.h"
 
 namespace flaneur {
 
@@ -109,6 +110,9 @@ struct City {
     std::vector<Destination> destinations;
     Scenery scenery;
 
+    // Where people cross streets; those with signals are ruled by their lamps. Not in its hash.
+    Crossings crossings;
+
     // How much of each sort of thing an import found, and how much of it it built (-1: nobody counted).
     struct Tally {
         std::string what;
@@ -127,10 +131,13 @@ Vec2 door_on(Vec2 a, Vec2 b, Vec2 place);
 // props may be added, and moved onto the ground, until list_obstacles is called.
 void index_city(City& city);
 
+// Sets crossings onto the ground, which is indexed, within 60 m of height 0.
+void settle_crossings(City& city);
+
 // Makes the ground's obstacles of the props.
 void list_obstacles(City& city);
 
-// The hash of the ground, and of everything above but latitude, place on Earth, tallies and notes.
+// The hash of the ground, and of everything above but latitude, place on Earth, crossings, tallies and notes.
 uint64_t hash_city(const City& city);
 
 }  // namespace flaneur

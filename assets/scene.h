@@ -14,6 +14,7 @@
 #include "sim/base/result.h"
 #include "sim/crowd/habit.h"
 #include "sim/fall/planned_push.h"
+#include "sim/lamps/kerbs.h"
 #include "sim/limbs/limbs.h"
 
 namespace flaneur {
@@ -95,8 +96,10 @@ struct Scene {
     std::vector<Vec2> steppers_way;   // this closed line, metres; of two places, there and back
     int drunks = 0;                   // and there; 0: all are so drunk
     float helpers = k_usual_helpers;  // the same
-    bool flat = false;                // of a course: all in one plane, seen from the side
-    std::optional<Vec3> look;         // of a course: where all look who can turn their heads there
+    bool lamps = false;               // whether traffic lights work and people mind them
+    float jaywalkers = k_usual_jaywalkers;  // see WorldOptions
+    bool flat = false;                      // of a course: all in one plane, seen from the side
+    std::optional<Vec3> look;               // of a course: where all look who can turn their heads there
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
     float hour = 17.5f;  // of the day at the first tick, 0..24

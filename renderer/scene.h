@@ -25,7 +25,7 @@ struct CityVertex {
     uint32_t colour;     // sRGB, R in the lowest byte
     // Metres. Facade: u along the wall from its left end, v above its foot; windows are fitted to the extent
     // that vertices joined by triangles span. Crossing: u along the way people cross. Other ground: the
-    // ground plane. Scenery: of its texture, which repeats.
+    // ground plane. Scenery: of its texture, which repeats. Lenses: when they are lit, see k_material_lens.
     glm::vec2 uv;
     int8_t normal[4];    // unit vector * 127; [3] unused
     uint16_t material;   // k_material_*
@@ -180,6 +180,7 @@ struct FrameInput {
     bool wants_ids = false;     // the same; all is drawn once more for them
     bool is_overcast = false;
     float lit_windows = 0.3f;  // share of windows with a light on in the dark
+    float lens_time = 0;       // of lenses that light by turns: steps gone by; see k_material_lens
     // Views for work. What is not asked for costs nothing.
     Surfaces surfaces = Surfaces::lit;  // wireframe needs a device that can_draw_wireframe()
     PeopleColours people_colours = PeopleColours::own;

@@ -9,8 +9,9 @@
 #define FLANEUR_CONST const
 #endif
 
-FLANEUR_CONST int k_palette_joints = 27;  // joint transforms of one walker: of its body, and of what hangs on it
-FLANEUR_CONST int k_tints = 7;            // none, skin, hair, top, bottom, shoes, accent
+FLANEUR_CONST int k_palette_joints =
+    27;                         // joint transforms of one walker: of its body, and of what hangs on it
+FLANEUR_CONST int k_tints = 7;  // none, skin, hair, top, bottom, shoes, accent
 
 // One joint: a point v of the mesh (bind pose, scaled) goes to rotate(rotation, v) + translation in the
 // world.
@@ -73,9 +74,14 @@ FLANEUR_CONST uint k_material_stone = 11;  // garden walls, kerbs, risers
 FLANEUR_CONST uint k_material_roof = 12;
 FLANEUR_CONST uint k_material_leaves = 13;
 FLANEUR_CONST uint k_material_trunk = 14;
-FLANEUR_CONST uint k_material_metal = 15;    // lamps, bollards, benches
-FLANEUR_CONST uint k_material_light = 16;    // heads of street lamps, which glow at night
-FLANEUR_CONST uint k_material_signal = 19;   // what glows in its own colour then: traffic lights, lit signs
+FLANEUR_CONST uint k_material_metal = 15;   // lamps, bollards, benches
+FLANEUR_CONST uint k_material_light = 16;   // heads of street lamps, which glow at night
+FLANEUR_CONST uint k_material_signal = 19;  // what glows in its own colour then: traffic lights, lit signs
+// A lens of a traffic light: lit by turns. u: k_lens_unit times the steps that its cycle has, and those that
+// it is ahead; v: k_lens_unit times the step of its cycle from which on it is dark, and that from which on it
+// is lit. All below it.
+FLANEUR_CONST uint k_material_lens = 20;
+FLANEUR_CONST float k_lens_unit = 4096.0f;
 FLANEUR_CONST uint k_material_shade = 17;    // darkens the ground below it; u: 0 where most, 1 where it ends,
                                              //   v: how much
 FLANEUR_CONST uint k_material_scenery = 18;  // u, v of a picture; extra: its layer, 0 for none
@@ -91,8 +97,8 @@ FLANEUR_CONST uint k_door_shift = 10u;
 FLANEUR_CONST uint k_door_mask = 15u;
 FLANEUR_CONST uint k_windows_shift = 14u;
 
-// Layers of the shadow map, two of each: one is seen, the other drawn ahead. Near, of city and people; near, of the
-// city alone; far, of the city.
+// Layers of the shadow map, two of each: one is seen, the other drawn ahead. Near, of city and people; near,
+// of the city alone; far, of the city.
 FLANEUR_CONST int k_near_layers = 0;
 FLANEUR_CONST int k_still_layers = 2;
 FLANEUR_CONST int k_far_layers = 4;
@@ -131,7 +137,7 @@ FLANEUR_CONST int k_bindings = 19;
 // Specialisation constants.
 FLANEUR_CONST int k_constant_textured = 0;  // whether people have textures
 FLANEUR_CONST int k_constant_smooth = 1;    // whether edges are smoothed
-FLANEUR_CONST int k_constant_clamp = 2;     // whether shaders clamp the depth of shadows, as the device does not
+FLANEUR_CONST int k_constant_clamp = 2;  // whether shaders clamp the depth of shadows, as the device does not
 FLANEUR_CONST int k_constants = 3;
 
 // What the views for work paint instead of light: a push constant.
@@ -174,14 +180,15 @@ struct FrameConstants {
                         //   dot(xyz, n) + w
     vec4 haze_towards;  // sky at the horizon towards the sun; w: haze a metre
     vec4 haze_away;     // and away from it; w: metres where haze begins
-    vec4 zenith;        // sky overhead
+    vec4 zenith;        // sky overhead; w: steps gone by, of lenses that light by turns
     vec4 lamp_light;    // what a white surface reflects where the lamp map says 1; w: share of lit windows
     vec4 lamp_map;      // texels from the map's corner = x, z * xy + zw
     vec4 window_light;  // a lit room, seen; w: how plainly stars are seen
     vec4 screen;        // of the picture: width, height, 1 / width, 1 / height
-    vec4 samples;  // of a pixel: along each edge, 1 over that; 1 over the width and height of surfaces
-    vec4 way;      // 1 or 0: lamps are lit; plain light, of sun and sky, with neither shadows nor haze nor patterns;
-                   //   surfaces are painted, and not lit; something is laid over the picture
+    vec4 samples;       // of a pixel: along each edge, 1 over that; 1 over the width and height of surfaces
+    vec4 way;       // 1 or 0: lamps are lit; plain light, of sun and sky, with neither shadows nor haze nor
+                    // patterns;
+                    //   surfaces are painted, and not lit; something is laid over the picture
     vec4 backdrop;  // where nothing is, display-ready; w: 1 if there is one, -1 if edges stay as they are
 };
 

@@ -1,4 +1,5 @@
 // What may be changed of a world between two ticks.
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -21,6 +22,7 @@ void change_ground(World& w, std::shared_ptr<const Ground> ground, NavmeshPtr me
                                  w.crowd.demand.leaving);
     w.navmesh = std::move(mesh);
     w.ground = std::move(ground);
+    if (minds_lamps(w.crowd.kerbs)) mind_lamps(w, Crossings(w.crowd.kerbs.map->crossings));
     if (answers_itself) w.around = surroundings_of(*w.ground);
     if (w.stepping) w.stepping->ground = w.ground, w.stepping->moving.ground = w.ground.get();
 }
@@ -44,11 +46,32 @@ void make_room(World& w, uint32_t capacity) {
     if (is_on(w.crowd.march)) go_by_curves(w, LimbLead::curves, w.crowd.march.how);
 }
 
+void set_lamp_manner(World& w, uint32_t walker) {
+    Kerbs& kerbs = w.crowd.kerbs;
+    if (!minds_lamps(kerbs)) return;
+    kerbs.manners[walker] = lamp_manner(w.kinds[w.crowd.identity.body[walker]].age, drunk_of(w, walker),
+                                        personality_of(w, walker).conscientiousness, w.jaywalkers);
+    if (is_creature(w.herd, walker)) kerbs.manners[walker].jaywalks = 0;
+}
+
+void set_jaywalkers(World& w, float share) {
+    w.jaywalkers = share;
+    for (const WalkerId id : w.crowd.slots.living) set_lamp_manner(w, id.index);
+}
+
+void mind_lamps(World& w, const Crossings& crossings) {
+    const bool is_any = std::ranges::any_of(crossings.all, is_ruled);
+    const auto map = is_any ? std::make_shared<const KerbMap>(make_kerb_map(crossings, *w.navmesh)) : nullptr;
+    mind_lamps(w.crowd.kerbs, map, w.crowd.capacity);
+    for (const WalkerId id : w.crowd.slots.living) set_lamp_manner(w, id.index);
+}
+
 void set_drunk(World& w, float drunk) {
     w.drunk = drunk;
     for (const WalkerId id : w.crowd.slots.living) {
         const uint32_t i = id.index, kind = w.crowd.identity.body[i];
         change_manner(w.gait, i, w.kinds[kind].body, w.crowd.identity.scale[i], manner_of(w, i));
+        set_lamp_manner(w, i);
     }
 }
 

@@ -76,6 +76,7 @@ Result<void> set_loose(World& w, uint32_t creatures) {
             return Error{"Only " + std::to_string(n) + " of " + std::to_string(creatures) +
                          " creatures find room among the people; ask for fewer."};
         herd.goes_as.push_back(id->index);
+        set_lamp_manner(w, id->index);
         herd.creatures.emplace_back().size = size;
         put_where_the_crowd_has_it(w, n);
         herd.creatures[n] = make_creature(rays_of(*w.ground), s, n, size);

@@ -134,6 +134,19 @@ Result<void> check(const WorldOptions& o) {
     if (!is_within(o.drunk, 0, 1)) return Error{"WorldOptions::drunk must be within 0 and 1."};
     if (o.drunks > o.walkers) return Error{"WorldOptions::drunks must be at most WorldOptions::walkers."};
     if (!is_within(o.helpers, 0, 1)) return Error{"WorldOptions::helpers must be within 0 and 1."};
+    if (!is_within(o.jaywalkers, 0, 1)) return Error{"WorldOptions::jaywalkers must be within 0 and 1."};
+    for (const Crossing& c : o.crossings.all) {
+        const bool sound = is_finite(c.centre) && std::isfinite(c.half_length) && c.half_length > 0 &&
+                           std::isfinite(c.half_width) && c.half_width > 0 &&
+                           std::fabs(cross(c.across, c.along)) > 0.1f &&
+                           (!is_ruled(c) || c.plan < o.crossings.plans.size());
+        if (!sound)
+            return Error{"A crossing is out of range: finite measures above 0, a plan that is there."};
+    }
+    for (const LampPlan& plan : o.crossings.plans)
+        if (plan.cycle == 0 ||
+            std::max({plan.walk, plan.walk_ends, plan.drive, plan.drive_ends}) >= plan.cycle)
+            return Error{"A plan of lamps is out of range: all its times must be below its cycle."};
     if (!is_within(o.hour, 0, 24)) return Error{"The hour must be within 0 and 24."};
     return {};
 }

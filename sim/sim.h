@@ -50,6 +50,7 @@
 #include "sim/fall/planned_push.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
+#include "sim/lamps/kerbs.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
@@ -124,6 +125,10 @@ struct WorldOptions {
     // How many of those near who could help up somebody who has fallen do, 0..1; the agreeable rather than
     // others. Where it is 0 nobody minds who falls but to go round them.
     float helpers = k_usual_helpers;
+    // Where people wait for lamps; of those crossings that have one. How many go on red, 0..1: fewer of
+    // children, the old and the dutiful, more of those who have drunk.
+    Crossings crossings{};
+    float jaywalkers = k_usual_jaywalkers;
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 

@@ -18,7 +18,7 @@ constexpr uint64_t k_mark = 0x61'74'73'2e'72'75'6c'66;  // "flur.sta"
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 6 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
 static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 5) + 40 +
-                                   sizeof(Onlookers) + 24 + sizeof(Traffic) + sizeof(March));
+                                   sizeof(Onlookers) + 24 + sizeof(Traffic) + sizeof(March) + sizeof(Kerbs));
 
 // Before all else; how many of each follow.
 struct Head {
@@ -56,6 +56,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     auto& d = c.decision;
     some(d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     some(c.journeys, c.way_back);
+    if (minds_lamps(c.kerbs)) some(c.kerbs.waits, c.kerbs.manners);
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
     all(w.figures.moves, w.figures.gait.blocks, w.figures.whole);
     all(w.deeds.doers, w.deeds.parcels, w.deeds.leaves, w.deeds.gait.blocks, w.deeds.whole, w.deeds.poses);
@@ -160,13 +161,14 @@ uint64_t state_mark(const World& w) {
     for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     const Ground& ground = *w.ground;
-    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
-                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
-                        w.linkages.places.size(), w.figures.plans.size(), w.deeds.plans.size(),
-                        w.movers.all.size(), w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
-                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
-                                     w.roam->compound.capsules.size() + 1
-                               : 0})
+    for (size_t size :
+         {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
+          ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
+          w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(), w.crowd.kerbs.waits.size(),
+          w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
+          w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
+                       w.roam->compound.capsules.size() + 1
+                 : 0})
         add(static_cast<uint64_t>(size));
     add(ground.low, ground.high);
     return hash;

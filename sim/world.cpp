@@ -167,6 +167,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->pushes = options.pushes;
     world->balls.planned = options.throws;
     world->bystanders.helpers = options.helpers;
+    world->jaywalkers = options.jaywalkers;
     std::vector<Body> bodies;
     for (const Kind& kind : options.kinds) {
         bodies.push_back(kind.body);
@@ -187,6 +188,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->crowd = std::move(crowd).value();
     world->crowd.pass_on = options.pass_on;
     put_drunks_on_platform(*world);
+    mind_lamps(*world, options.crossings);
     world->coming.sendings = options.sendings;
     world->coming.home = find_neighbourhood(*world->ground, *world->navmesh, options.walkers);
 
@@ -280,6 +282,7 @@ static void pose_newcomer(World& w, uint32_t walker) {
 void start_body(World& w, uint32_t walker) {
     start_feet(w, walker);
     set_pace(w, walker);
+    set_lamp_manner(w, walker);
     pose_newcomer(w, walker);
 }
 

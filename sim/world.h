@@ -57,6 +57,7 @@ struct World {
     float drunk = 0;
     uint32_t drunks = 0;
     std::vector<PlannedPush> pushes;
+    float jaywalkers = k_usual_jaywalkers;
     uint64_t seed = 1;
     uint32_t tick = 0;  // ticks done
 
@@ -111,6 +112,14 @@ void change_ground(World& world, std::shared_ptr<const Ground> ground, NavmeshPt
 // does not hold any more are replaced within a decision, and who is off it comes onto it. Refuses what
 // let_stagger() refuses of anybody; nothing has changed then. Between two ticks.
 Result<void> change_platform(World& world, const std::vector<Vec2>& corners);
+
+// From now on people mind the lamps of these crossings; of none, where none is ruled. Allocates; between two
+// ticks.
+void mind_lamps(World& world, const Crossings& crossings);
+// So many go on red from now on, 0..1; between two ticks.
+void set_jaywalkers(World& world, float share);
+// What one is like who minds them; creatures never go on red.
+void set_lamp_manner(World& world, uint32_t walker);
 
 // Room for so many walkers from now on, if there is less. Allocates; between two ticks.
 void make_room(World& world, uint32_t capacity);

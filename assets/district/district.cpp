@@ -105,6 +105,7 @@ City generate_district(const DistrictOptions& options) {
     lay_ground(d.plan, d.city);
     index_city(d.city);
     settle(d.city);
+    settle_crossings(d.city);
     list_obstacles(d.city);
     add_horizon(d, options.seed);
     return std::move(d.city);

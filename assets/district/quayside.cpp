@@ -58,7 +58,7 @@ void add_street(District& d) {
     for (const float walk : {k_road_north - k_walk, k_road_south})
         add_level(d, k_rank_sidewalk, Surface::sidewalk, k_kerb, box(-k_east, walk, k_east, walk + k_walk));
     for (const float x : {0.0f, -44.0f, 46.0f})
-        add_crossing(d.plan, {x, middle}, {1, 0}, {0, 1}, half, 4.4f, true);
+        d.city.crossings.all.push_back(add_crossing(d.plan, {x, middle}, {1, 0}, {0, 1}, half, 4.4f, true));
 }
 
 // From the square down to the quay, with cheeks as high as a parapet's foot.
@@ -132,6 +132,9 @@ void furnish(District& d, Dice& dice) {
         add_destination(d, DestinationKind::square, {x, 22.4f}, south, 0.7f);
     for (const float x : {-24.0f, -13.0f, 5.0f, 15.0f})
         add_destination(d, DestinationKind::square, {x, k_edge - 0.7f}, south, 0.7f);
+    // On the other side of the street.
+    for (const float x : {-8.0f, 7.0f})
+        add_destination(d, DestinationKind::square, {x, k_road_north - 2.6f}, south, 1.5f);
     for (const float side : {-1.0f, 1.0f}) {
         for (const float z : {k_road_north - 2, k_road_south + 2, 8.3f})
             add_destination(d, DestinationKind::edge, {side * (k_east - 1), z}, {side, 0}, 1);
@@ -173,6 +176,9 @@ City build_quayside(uint64_t seed) {
     lay_ground(d.plan, d.city);
     index_city(d.city);
     settle(d.city);
+    settle_crossings(d.city);
+    constexpr uint8_t k_ruled[] = {1, 0, 0};  // where signals stand
+    set_lamps(d.city.crossings, k_ruled, seed);
     list_obstacles(d.city);
     add_horizon(d, seed);
     return std::move(d.city);

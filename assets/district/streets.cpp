@@ -23,7 +23,18 @@ std::vector<Vec2> line_from(const Way& way, uint32_t node) {
     return line;
 }
 
-void lay_junction(District& d, uint32_t node, std::vector<Clear>& clear) {
+// Signals stand where an avenue is crossed.
+bool has_signals(const StreetPlan& plan, uint32_t node) {
+    size_t avenues = 0, arms = 0;
+    for (uint32_t w : plan.ways_at[node]) {
+        avenues += plan.ways[w].kind == WayKind::avenue;
+        arms += plan.ways[w].carries_cars();
+    }
+    return avenues > 0 && arms >= 3;
+}
+
+// `ruled`: of each crossing, whether signals stand there.
+void lay_junction(District& d, uint32_t node, std::vector<Clear>& clear, std::vector<uint8_t>& ruled) {
     const StreetPlan& plan = d.streets;
     std::vector<JunctionArm> arms;
     std::vector<uint32_t> ways;
@@ -52,7 +63,9 @@ void lay_junction(District& d, uint32_t node, std::vector<Clear>& clear) {
         (way.from == node ? c.start : c.end) = at + breadth * 0.5f + 1.5f;
         if (!crosses) continue;
         Station s = station(line, at);
-        add_crossing(d.plan, s.at, s.along, {-s.along.z, s.along.x}, way.width * 0.5f, breadth, true);
+        d.city.crossings.all.push_back(
+            add_crossing(d.plan, s.at, s.along, {-s.along.z, s.along.x}, way.width * 0.5f, breadth, true));
+        ruled.push_back(has_signals(plan, node));
     }
 }
 
@@ -219,15 +232,9 @@ void furnish(District& d, Dice& dice, const Way& way, Clear clear) {
     }
 }
 
-// Signals where an avenue is crossed.
 void add_signals(District& d, Dice& dice, uint32_t node, const std::vector<Clear>& clear) {
     const StreetPlan& plan = d.streets;
-    size_t avenues = 0, arms = 0;
-    for (uint32_t w : plan.ways_at[node]) {
-        avenues += plan.ways[w].kind == WayKind::avenue;
-        arms += plan.ways[w].carries_cars();
-    }
-    if (avenues == 0 || arms < 3) return;
+    if (!has_signals(plan, node)) return;
     for (uint32_t w : plan.ways_at[node]) {
         const Way& way = plan.ways[w];
         if (!way.carries_cars()) continue;
@@ -257,7 +264,9 @@ void lay_streets(District& d, uint64_t seed) {
             lay_lane(d, dice, way);
         }
     }
-    for (uint32_t node = 0; node < plan.nodes.size(); ++node) lay_junction(d, node, clear);
+    std::vector<uint8_t> ruled;
+    for (uint32_t node = 0; node < plan.nodes.size(); ++node) lay_junction(d, node, clear, ruled);
+    set_lamps(d.city.crossings, ruled, seed);
     for (uint32_t w = 0; w < plan.ways.size(); ++w) {
         Dice dice{{seed, w, 3, Purpose::city}};
         if (plan.ways[w].carries_cars()) furnish(d, dice, plan.ways[w], clear[w]);

@@ -138,6 +138,7 @@ void add_osm_outdoors(OsmImport& in) {
     lay_decks(in, decks);
     lay_osm_rails(in, decks);
     add_osm_props(in);
+    settle_crossings(in.city);
     list_obstacles(in.city);
     add_osm_destinations(in);
 }

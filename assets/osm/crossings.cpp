@@ -11,6 +11,18 @@ namespace flaneur {
 
 namespace {
 
+// Those laid so far, and whether signals are drawn at each.
+struct Laid {
+    std::vector<Crossing> all;
+    std::vector<uint8_t> ruled;
+};
+
+// Whether a crossing is drawn with signals.
+bool has_signals(const OsmTags& tags) {
+    return tags.is("crossing", "traffic_signals") || tags.is("crossing:signals", "yes") ||
+           tags.is("highway", "traffic_signals");
+}
+
 // The ways that leave a node, as far as they are known.
 struct Meeting {
     int64_t node;
@@ -75,7 +87,7 @@ bool has_raised_kerbs(const OsmImport& in, const OsmTags& node, const OsmWay* wa
 
 // Puts a crossing where a node of a carriageway is one, or a footway that is one passes it.
 void cross(OsmImport& in, const OsmNode& node, const JunctionArm& first, const JunctionArm& second,
-           const Footway* footway, std::vector<Vec2>& crossings) {
+           const Footway* footway, Laid& crossings) {
     std::string_view type = node.tags["crossing"];
     const OsmTags& way_tags = footway ? footway->way->tags : node.tags;
     if (!(node.tags.is("highway", "crossing") || footway) || type == "no" || way_tags.is("crossing", "no"))
@@ -93,7 +105,9 @@ void cross(OsmImport& in, const OsmNode& node, const JunctionArm& first, const J
     }
     Vec2 centre = in.project(node);
     GroundPlan made;
-    add_crossing(made, centre, along, across, std::max(first.half_width, second.half_width), 4, marked);
+    crossings.all.push_back(
+        add_crossing(made, centre, along, across, std::max(first.half_width, second.half_width), 4, marked));
+    crossings.ruled.push_back(has_signals(node.tags) || has_signals(way_tags));
     bool raised = has_raised_kerbs(in, node.tags, footway ? footway->way : nullptr);
     Rings carriageway;
     for (const JunctionArm& arm : {first, second})
@@ -105,12 +119,11 @@ void cross(OsmImport& in, const OsmNode& node, const JunctionArm& first, const J
         if (area.kind == Surface::crossing || !raised) in.plan.areas.push_back(std::move(area));
     }
     if (node.tags.is("highway", "crossing")) count_built(in.counts, OsmSort::crossing_node);
-    crossings.push_back(centre);
 }
 
 // People cross the arms of a junction, lines or none: lays unmarked crossings over those that have pavements
 // and no crossing near. `places` are about where they would be, a little before the rounded corners.
-void cross_arms(OsmImport& in, const std::vector<Vec2>& places, std::vector<Vec2>& crossings) {
+void cross_arms(OsmImport& in, const std::vector<Vec2>& places, Laid& crossings) {
     constexpr float k_near = 12, k_widest = 20;  // metres
     for (Vec2 p : places) {
         const LinePiece* s = in.streets.nearest(p, 2);
@@ -118,19 +131,19 @@ void cross_arms(OsmImport& in, const std::vector<Vec2>& places, std::vector<Vec2
         float half = highway_of(in.map.ways[s->owner].tags)->width * 0.5f;
         Vec2 centre = lerp(s->a, s->b, closest_on(*s, p)), along = normalize_or(s->b - s->a, {1, 0});
         if (s->half < half + 1.5f || half * 2 > k_widest) continue;
-        bool crossed = std::any_of(crossings.begin(), crossings.end(), [&](Vec2 c) {
-            return std::fabs(dot(c - centre, along)) < k_near &&
-                   std::fabs(cross(c - centre, along)) < half + 2;
+        bool crossed = std::any_of(crossings.all.begin(), crossings.all.end(), [&](const Crossing& c) {
+            const Vec2 from = on_ground(c.centre) - centre;
+            return std::fabs(dot(from, along)) < k_near && std::fabs(cross(from, along)) < half + 2;
         });
         if (crossed) continue;
         Vec2 across{-along.z, along.x};
-        add_crossing(in.plan, centre, along, across, half, 4, false);
-        crossings.push_back(centre);
+        crossings.all.push_back(add_crossing(in.plan, centre, along, across, half, 4, false));
+        crossings.ruled.push_back(0);
     }
 }
 
 // Kerbs that are lowered elsewhere: at driveways, and where crossings are drawn by their kerbs alone.
-void lower_kerbs(OsmImport& in, const std::vector<Vec2>& crossings) {
+void lower_kerbs(OsmImport& in, const Laid& crossings) {
     for (const OsmNode& node : in.map.nodes) {
         std::string_view kerb = node.tags["kerb"];
         if (kerb != "lowered" && kerb != "flush" && kerb != "rolled") continue;
@@ -146,12 +159,22 @@ void lower_kerbs(OsmImport& in, const std::vector<Vec2>& crossings) {
         if (!street) continue;
         Vec2 centre = lerp(street->a, street->b, closest_on(*street, p)), out = p - centre;
         float half = highway_of(in.map.ways[street->owner].tags)->width * 0.5f;
-        bool crossed =
-            std::any_of(crossings.begin(), crossings.end(), [&](Vec2 c) { return length(c - centre) < 3; });
+        bool crossed = std::any_of(crossings.all.begin(), crossings.all.end(), [&](const Crossing& c) {
+            return length(on_ground(c.centre) - centre) < 3;
+        });
         if (crossed || length(out) < 0.5f) continue;
         out = normalize_or(out, {1, 0});
         add_dropped_kerb(in.plan, centre + out * half, out, 2.5f);
     }
+}
+
+// Signals of a junction, and those before a crossing, rule the crossings that are near them, drawn with
+// signals of their own or not.
+void rule_by_signals(const std::vector<Vec2>& signals, Laid& crossings) {
+    constexpr float k_near = 18;  // metres
+    for (size_t i = 0; i < crossings.all.size(); ++i)
+        for (const Vec2 at : signals)
+            if (length(on_ground(crossings.all[i].centre) - at) < k_near) crossings.ruled[i] = 1;
 }
 
 }  // namespace
@@ -165,7 +188,8 @@ void add_osm_crossings(OsmImport& in, const std::vector<OsmStreet>& roads) {
     std::sort(meetings.begin(), meetings.end(),
               [](const Meeting& a, const Meeting& b) { return a.key() < b.key(); });
     std::vector<Footway> footways = find_footways(in);
-    std::vector<Vec2> crossings, arm_places;
+    Laid crossings;
+    std::vector<Vec2> arm_places, signals;
     for (size_t i = 0; i < meetings.size();) {
         size_t end = i;
         while (end < meetings.size() && meetings[end].node == meetings[i].node) ++end;
@@ -180,6 +204,7 @@ void add_osm_crossings(OsmImport& in, const std::vector<OsmStreet>& roads) {
         }
         i = end;
         if (!node) continue;
+        if (node->tags.is("highway", "traffic_signals")) signals.push_back(in.project(*node));
         if (arms.size() >= 3) {
             Vec2 junction = in.project(*node);
             std::vector<float> straight = add_corners(in.plan, junction, arms, 4);
@@ -194,6 +219,9 @@ void add_osm_crossings(OsmImport& in, const std::vector<OsmStreet>& roads) {
     }
     cross_arms(in, arm_places, crossings);
     lower_kerbs(in, crossings);
+    rule_by_signals(signals, crossings);
+    in.city.crossings.all = std::move(crossings.all);
+    set_lamps(in.city.crossings, crossings.ruled, 1);
 }
 
 }  // namespace flaneur

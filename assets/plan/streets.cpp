@@ -80,8 +80,8 @@ void add_dropped_kerb(GroundPlan& plan, Vec2 kerb, Vec2 out, float breadth) {
     plan.areas.push_back(std::move(ramp));
 }
 
-void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float half_width, float breadth,
-                  bool marked) {
+Crossing add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float half_width, float breadth,
+                      bool marked) {
     Vec2 side = along * (breadth * 0.5f);
     // Half the way over, measured along `across`, which may be askew.
     Vec2 square{-along.z, along.x};
@@ -116,6 +116,11 @@ void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float 
         plan.areas.push_back(std::move(landing));
         plan.areas.push_back(std::move(ramp));
     }
+    return {.centre = at_height(centre, 0),
+            .across = across,
+            .along = along,
+            .half_length = half_width / straight,
+            .half_width = breadth * 0.5f};
 }
 
 int riser_count(float rise, int stated) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assets/plan/ground_plan.h"
+#include "sim/lamps/crossings.h"
 
 namespace flaneur {
 
@@ -28,9 +29,9 @@ std::vector<float> add_corners(GroundPlan& plan, Vec2 junction, const std::vecto
 
 // A crossing over the carriageway at `centre`: people walk along the unit vector `across`, cars along
 // `along`. At both ends the sidewalk's kerb is dropped and rises over 1.2 m. An unmarked one
-// has no stripes.
-void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float half_width, float breadth,
-                  bool marked);
+// has no stripes. Returns where it is; its height is 0, and no lamp rules it.
+Crossing add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float half_width, float breadth,
+                      bool marked);
 
 // A kerb dropped over `breadth` metres about `kerb`, a place on it. The sidewalk rises from there along the
 // unit vector `out`, square to the kerb, over 1.2 m.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "assets/city.h"
@@ -26,7 +27,13 @@ enum class PropPart : uint8_t {
     red,
     green,
     sign,
-    white
+    white,
+    // Lenses that light by turns: of those who drive, and of people.
+    drive_red,
+    drive_amber,
+    drive_green,
+    walk_red,
+    walk_green
 };
 
 // Triangles wound counter-clockwise from outside, in the world. Each vertex has its own normal; a triangle's
@@ -46,5 +53,14 @@ struct PropMesh {
 // Appends a prop to `mesh`: some 500 triangles for a tree or a car, twice as many for a fountain, under 300
 // for the others.
 void add_prop(PropMesh& mesh, const Prop& prop);
+
+// Where a signal that works shows which lamps.
+struct SignalHeads {
+    float walk_yaw = 0;              // to those who want to cross,
+    std::optional<float> drive_yaw;  // and to those who drive, if it stands where they see it
+};
+SignalHeads heads_of(const Prop& signal, const Crossing& crossing);
+// In place of what add_prop() makes of a signal.
+void add_working_signal(PropMesh& mesh, const Prop& signal, const SignalHeads& heads);
 
 }  // namespace flaneur

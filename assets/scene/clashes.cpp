@@ -87,6 +87,31 @@ constexpr SceneClash k_clashes[] = {
     {"helpers", R"("helpers": nobody falls on the asteroid or the planets; leave it out)",
      [](const Scene& s, const Json& json) { return json.contains("helpers") && is_round(s); },
      [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"lamps",
+     R"("lamps" are traffic lights; of the places that are built in they are in the district and on the quayside)",
+     [](const Scene& s, const Json&) {
+         return s.lamps && s.built != BuiltIn::district && s.built != BuiltIn::quayside;
+     },
+     [](const char* key) {
+         const OrderedJson others = {{"not", {{"enum", {"district", "quayside"}}}}};
+         return both({key, "built"}, {{key, {{"const", true}}}, {"built", others}});
+     }},
+    {"lamps", R"("lamps" are traffic lights, which a glTF city says nothing of)",
+     [](const Scene& s, const Json&) { return s.lamps && !s.city.empty() && !is_map(s); },
+     [](const char* key) {
+         const OrderedJson built_in = {{"not", {{"const", "district"}}}}, map = {{"not", map_schema()}};
+         return both({key, "city"},
+                     {{key, {{"const", true}}}, {"city", {{"allOf", OrderedJson::array({built_in, map})}}}});
+     }},
+    {"jaywalkers", R"("jaywalkers" are those who go on red, and nobody does but where "lamps" is true)",
+     [](const Scene& s, const Json& json) {
+         return !s.lamps && json.contains("jaywalkers") && json.at("jaywalkers") != 0.1;
+     },
+     [](const char* key) {
+         OrderedJson schema = both({key}, {{key, {{"not", {{"const", 0.1}}}}}});
+         schema["not"] = both({"lamps"}, {{"lamps", {{"const", true}}}});
+         return schema;
+     }},
     {"demand",
      R"("demand" sends people through a city, and nobody can be sent on the asteroid or the planets)",
      [](const Scene& s, const Json&) { return !s.demand.empty() && is_round(s); },

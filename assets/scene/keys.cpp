@@ -16,7 +16,6 @@ namespace flaneur {
 namespace {
 
 using Json = nlohmann::json;
-using OrderedJson = nlohmann::ordered_json;
 
 // A scene is some lines; what its parser and its errors take grows with these.
 constexpr size_t k_most_depth = 8, k_most_values = 10'000;
@@ -29,7 +28,8 @@ void read_texts(SceneReading& r, Scene& scene, const Json& texts) {
     for (const Json& text : texts) take_parsed(r, parse(text), (scene.*list).emplace_back());
 }
 
-// In the order of the schema and of docs/scenes.md.
+}  // namespace
+
 const std::vector<SceneKey<Scene>>& scene_keys() {
     using enum KeyKind;
     using Reading = SceneReading;
@@ -170,6 +170,11 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::helpers>(
             "helpers", {number, 0, 1}, "0.5", "0.8",
             "How many of those who are near and could help up somebody who has fallen do; 0: nobody minds."),
+        plain_key<&Scene::lamps>("lamps", {flag}, "false", "true",
+                                 "Whether traffic lights work, and people wait for them."),
+        plain_key<&Scene::jaywalkers>(
+            "jaywalkers", {number, 0, 1}, "0.1", "0.05",
+            "How many of those who come to a crossing while its lamp is red go on; only with lamps."),
         {"idles",
          {texts},
          nullptr,
@@ -263,11 +268,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
     return keys;
 }
 
-// Whole numbers without a point.
-OrderedJson bound(double value) {
-    if (value >= 0x1p64) return ~uint64_t{0};
-    return value == std::floor(value) ? OrderedJson(static_cast<int64_t>(value)) : OrderedJson(value);
-}
+namespace {
 
 bool is_in_range(const KeyRule& rule, const Json& value) {
     if (!value.is_number()) return false;
@@ -285,7 +286,7 @@ std::string refusal(const KeyRule& rule, const Json& value) {
     };
     auto range = [&](std::string what) {
         if (is_in_range(rule, value)) return std::string();
-        what += " number from " + bound(rule.low).dump() + " to " + bound(rule.high).dump();
+        what += " number from " + schema_bound(rule.low).dump() + " to " + schema_bound(rule.high).dump();
         return what;
     };
     switch (rule.kind) {
@@ -365,79 +366,6 @@ void read_added(SceneReading& r, Scene& scene, const Json& list) {
     }
 }
 
-template <class Of>
-OrderedJson object_schema(const std::vector<SceneKey<Of>>& keys);
-
-// Views that go one at a time, as pairs that a list has not both.
-OrderedJson rivals_schema() {
-    auto pairs = OrderedJson::array();
-    for (int a = 0; a < k_work_views; ++a) {
-        for (int b = a + 1; b < k_work_views; ++b) {
-            if (!(rivals_of(static_cast<WorkView>(a)) >> b & 1)) continue;
-            OrderedJson both = {{{"contains", {{"const", k_work_view_names[a]}}}},
-                                {{"contains", {{"const", k_work_view_names[b]}}}}};
-            pairs.push_back({{"not", {{"allOf", both}}}});
-        }
-    }
-    return pairs;
-}
-
-template <class Of>
-OrderedJson key_schema(const SceneKey<Of>& key) {
-    OrderedJson one;
-    OrderedJson text = {{"type", "string"}};
-    if (!key.rule.pattern.empty()) {
-        text["pattern"] = "^(" + key.rule.pattern + ")$";
-    } else if (!key.rule.words.empty()) {
-        text["enum"] = key.rule.words;
-    } else {
-        text["pattern"] = "^[^\\u0000]+$";
-    }
-    switch (key.rule.kind) {
-        case KeyKind::flag:
-            one["type"] = "boolean";
-            break;
-        case KeyKind::whole:
-        case KeyKind::number:
-            one["type"] = key.rule.kind == KeyKind::whole ? "integer" : "number";
-            one["minimum"] = bound(key.rule.low);
-            one["maximum"] = bound(key.rule.high);
-            break;
-        case KeyKind::text:
-            one = text;
-            break;
-        case KeyKind::texts:
-            one = {{"type", "array"}, {"items", text}};
-            if (!key.rule.words.empty()) one["allOf"] = rivals_schema();
-            break;
-        case KeyKind::people:
-            one = {{"type", "array"}, {"items", object_schema(people_keys())}};
-            one["items"]["oneOf"] = OrderedJson::parse(
-                R"([{"required": ["character"], "properties": {"builtin": {"const": false}}},
-                    {"required": ["builtin"], "properties": {"builtin": {"const": true}, "character": false}}])");
-            break;
-        case KeyKind::added:
-            one = {{"type", "array"}, {"items", object_schema(added_keys())}};
-            one["items"]["oneOf"] = OrderedJson::parse(
-                R"([{"required": ["what", "at", "to"], "properties": {"what": {"enum": ["wall", "barrier"]}, "turn": false}},
-                {"required": ["what", "at"], "properties": {"what": {"const": "entrance"}, "to": false, "turn": false}},
-                {"required": ["what", "at"], "properties": {"what": {"enum": ["planter", "car", "tree", "bench", "lamp"]},
-                                                            "to": false}}])");
-            break;
-    }
-    one["description"] = key.meaning;
-    if (key.usual) one["default"] = OrderedJson::parse(key.usual);
-    one["examples"] = OrderedJson::array({OrderedJson::parse(key.example)});
-    return one;
-}
-
-template <class Of>
-OrderedJson object_schema(const std::vector<SceneKey<Of>>& keys) {
-    OrderedJson schema = {{"type", "object"}, {"additionalProperties", false}};
-    for (const SceneKey<Of>& key : keys) schema["properties"][key.name] = key_schema(key);
-    return schema;
-}
-
 // Where a number is too large for a parser, which says its digits but not its place.
 size_t place_of_digits(std::string_view text, std::string_view said) {
     size_t from = said.find('\''), to = said.rfind('\'');
@@ -487,16 +415,6 @@ std::vector<SceneFault> read_scene(std::string_view text, Scene& scene) {
         return std::tie(a.line, a.column) < std::tie(b.line, b.column);
     });
     return r.faults;
-}
-
-std::string scene_schema() {
-    OrderedJson schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                          {"title", "A scene of flaneur"},
-                          {"description", "What to simulate and from where to look."}};
-    schema.update(object_schema(scene_keys()));
-    for (const SceneClash& clash : scene_clashes())
-        schema["allOf"].push_back({{"not", clash.schema(clash.key)}});
-    return schema.dump(4) + "\n";
 }
 
 }  // namespace flaneur

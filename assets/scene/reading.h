@@ -96,9 +96,12 @@ struct AddedItem {
     bool has_kind = false, has_at = false, has_to = false, has_turn = false;
 };
 
-// Of one of "people", and of one of "added".
+// Of a scene, in the order of its schema and of docs/scenes.md; of one of "people", and of one of "added".
+const std::vector<SceneKey<Scene>>& scene_keys();
 const std::vector<SceneKey<PeopleItem>>& people_keys();
 const std::vector<SceneKey<AddedItem>>& added_keys();
+// A bound of a number, whole ones without a point.
+nlohmann::ordered_json schema_bound(double value);
 // What is wrong with one as a whole; empty: nothing.
 std::string fault_of(const AddedItem& item);
 

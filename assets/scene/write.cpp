@@ -90,6 +90,8 @@ std::string scene_text(const Scene& s) {
     tell("pushes", texts_of(s.pushes, told_push), !s.pushes.empty());
     tell("balls", texts_of(s.balls, told_throw), !s.balls.empty());
     tell("helpers", short_number(s.helpers), s.helpers != usual.helpers);
+    tell("lamps", s.lamps, s.lamps);
+    tell("jaywalkers", short_number(s.jaywalkers), s.jaywalkers != usual.jaywalkers);
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
     if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);

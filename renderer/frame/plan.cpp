@@ -89,6 +89,7 @@ void plan_light(const Renderer& renderer, const FrameInput& input, FramePlan& pl
     plan.without.lamps = input.without.lamps;
     plan.has_shadows = luminance(plan.light.sky.sun) > 0 && !plan.backdrop && !plan.without.shadows;
     plan.lit_windows = input.lit_windows;
+    plan.lens_time = input.lens_time;
     plan.slice = fine_shadow_slice(plan.view, plan.view.eye.y - renderer.scene.ground_low);
     auto wanted_of = [&](Slice slice) {
         return wanted_box(renderer.last_view, plan.view, plan.light.to_light, slice,
@@ -189,6 +190,7 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan_city(renderer, plan);
     const Look look = look_of(plan.light, plan.lit_windows);
     plan.constants = look.constants;
+    plan.constants.zenith.w = plan.lens_time;
     set_view(renderer, plan, extent, plan.constants);
     plan.sky = sky_corners(plan.light, look, plan.constants);
     renderer.last_view = plan.view;

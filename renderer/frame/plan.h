@@ -27,6 +27,7 @@ struct FramePlan {
     View view;
     Daylight light;
     float lit_windows = 0;
+    float lens_time = 0;
     bool has_shadows = false;  // of sun or moon
     Spared without;            // see FrameInput
     Slice slice;

@@ -84,7 +84,7 @@ Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) 
     PipelineShape prop = city;
     prop.vertex = k_spirv_prop_vert;
     prop.fragment = k_spirv_prop_frag;
-    prop.attributes = {all[0], all[1], all[3], all[4]};
+    prop.attributes = {all[0], all[1], all[2], all[3], all[4]};
     FLANEUR_TRY(make("city prop", prop, surfaces.city_prop));
     PipelineShape scenery = city;
     scenery.vertex = k_spirv_scenery_vert;

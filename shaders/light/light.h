@@ -1,13 +1,13 @@
-// Light on what a picture shows, written once for GLSL and for C++ over lanes: a pixel is lit by a shader where the
-// device is a GPU, and by the host where it is a CPU, to the same colours. The words are those of both languages and
-// of dialect.glsl; numbers are `real`, of which C++ has many at once, so an `if` asks for some() and what depends on a
-// pixel goes through select(). Only + - x / sqrt, min, max, abs and floor, which a CPU's lanes and its Vulkan driver
-// round alike; a GPU may round quotients and roots otherwise, so nothing jumps where a number differs by its last bit,
-// but for the choice of edges to smooth.
+// Light on what a picture shows, written once for GLSL and for C++ over lanes: a pixel is lit by a shader
+// where the device is a GPU, and by the host where it is a CPU, to the same colours. The words are those of
+// both languages and of dialect.glsl; numbers are `real`, of which C++ has many at once, so an `if` asks for
+// some() and what depends on a pixel goes through select(). Only + - x / sqrt, min, max, abs and floor, which
+// a CPU's lanes and its Vulkan driver round alike; a GPU may round quotients and roots otherwise, so nothing
+// jumps where a number differs by its last bit, but for the choice of edges to smooth.
 //
 // Whoever includes it has `frame` and these, of whole numbers:
-//   Block shadow_texels(real layer, real x, real y)  four rows of four of the shadow map from x and y on, 0..65535
-//   Lamp lamp_texel(real x, real y)                   of the lamp map, nothing beyond its edges
+//   Block shadow_texels(real layer, real x, real y)  four rows of four of the shadow map from x and y on,
+//   0..65535 Lamp lamp_texel(real x, real y)                   of the lamp map, nothing beyond its edges
 //   real3 sky_corner(real column, real row)           of the sky's grid
 
 // One sample of the picture as it is kept: bytes, and a normal's numbers 0..4094.
@@ -53,7 +53,8 @@ SHARED real3 normal_of(Kept kept) {
 
 // Shadows
 
-// How much of a filter lies on each of four texels, which reaches from within the first two to within the last two.
+// How much of a filter lies on each of four texels, which reaches from within the first two to within the
+// last two.
 struct Taps {
     real a, b, c, d;
 };
@@ -68,8 +69,8 @@ SHARED Taps taps_between(real low, real high) {
 // Whether something is lit past a texel, softly over two steps of the map; `from` is 1 - half its depth.
 SHARED real is_past(real texel, real from) { return saturate(texel * real(0.5f) + from); }
 SHARED real row_lit(Row row, Taps across, real from) {
-    return is_past(row.a, from) * across.a + is_past(row.b, from) * across.b + is_past(row.c, from) * across.c +
-           is_past(row.d, from) * across.d;
+    return is_past(row.a, from) * across.a + is_past(row.b, from) * across.b +
+           is_past(row.c, from) * across.c + is_past(row.d, from) * across.d;
 }
 
 // How much of the sun reaches a place on a map, filtered `width` texels wide, 1..3.
@@ -91,19 +92,20 @@ SHARED real from_middle(real3 at) {
     return max(abs(at.x - real(0.5f)), max(abs(at.y - real(0.5f)), abs(at.z - real(0.5f))));
 }
 
-// The same in both maps, which fade into each other and, where the far one ends, into light. `bias` is how far, in
-// texels, the place is moved along its normal so that a surface does not shade itself.
+// The same in both maps, which fade into each other and, where the far one ends, into light. `bias` is how
+// far, in texels, the place is moved along its normal so that a surface does not shade itself.
 SHARED real sunlit(real3 place, real3 normal, real bias, real distance) {
     real3 at = scaled(frame.shadow_from_world[0], place.x) + scaled(frame.shadow_from_world[1], place.y) +
                scaled(frame.shadow_from_world[2], place.z) + scaled(frame.shadow_from_world[3], real(1.0f));
-    real3 along = scaled(frame.shadow_from_world[0], normal.x) + scaled(frame.shadow_from_world[1], normal.y) +
-                  scaled(frame.shadow_from_world[2], normal.z);
+    real3 along = scaled(frame.shadow_from_world[0], normal.x) +
+                  scaled(frame.shadow_from_world[1], normal.y) + scaled(frame.shadow_from_world[2], normal.z);
     real near_share = saturate((real(0.495f) - from_middle(at)) * real(50.0f));
     truth is_near = near_share > real(0.0f);
     // People's shadows fade before the distance from where on nobody throws any.
     real people = saturate(real(frame.people_shadows.x) - real(frame.people_shadows.y) * square(distance));
-    real layer = select(is_near, select(people > real(0.0f), real(frame.shadow_layers.x), real(frame.shadow_layers.y)),
-                        real(frame.shadow_layers.z));
+    real layer =
+        select(is_near, select(people > real(0.0f), real(frame.shadow_layers.x), real(frame.shadow_layers.y)),
+               real(frame.shadow_layers.z));
     // They are filtered the wider the larger they are on the picture.
     real pixels = inverse(real(frame.ray_forward.w) * distance * real(1.5f));
     real near_width = min(max(real(frame.shadow_texels.x) * pixels, real(1.0f)), real(3.0f));
@@ -116,7 +118,8 @@ SHARED real sunlit(real3 place, real3 normal, real bias, real distance) {
     real lit = map_lit(layer, select(is_near, near, far), select(is_near, near_width, far_width));
     truth is_fading = both(is_near, both(people > real(0.0f), people < real(1.0f)));
     if (some(is_fading))
-        lit = select(is_fading, lerp(map_lit(real(frame.shadow_layers.y), near, near_width), lit, people), lit);
+        lit =
+            select(is_fading, lerp(map_lit(real(frame.shadow_layers.y), near, near_width), lit, people), lit);
     real beyond = max(abs(far.x - real(0.5f)), abs(far.y - real(0.5f)));
     real far_share = saturate((real(0.497f) - beyond) * real(50.0f));
     lit = select(is_near, lit, lerp(real(1.0f), lit, far_share));
@@ -139,8 +142,8 @@ SHARED real3 ambient(real3 normal) {
                  ambient_of(frame.ambient[2], normal));
 }
 
-// What a white surface reflects of the lamps about a place, less the higher above the ground; some of it comes from
-// all round. Walls are lit by what the map says before them.
+// What a white surface reflects of the lamps about a place, less the higher above the ground; some of it
+// comes from all round. Walls are lit by what the map says before them.
 SHARED real3 lamplight(real3 place, real3 normal, real before) {
     real u = ((place.x + normal.x * before) * real(frame.lamp_map.x) + real(frame.lamp_map.z)) - real(0.5f);
     real v = ((place.z + normal.z * before) * real(frame.lamp_map.y) + real(frame.lamp_map.w)) - real(0.5f);
@@ -152,19 +155,23 @@ SHARED real3 lamplight(real3 place, real3 normal, real before) {
     real height = place.y - ground, above = max(height - real(3.0f), real(0.0f)) * real(0.4f);
     lamps = lamps * inverse(real(1.0f) + above * above);
     // From above the lamps they shine up.
-    lamps = make3(lamps.x, lamps.y * (real(1.0f) - real(2.0f) * saturate((height - real(3.5f)) * real(0.3f))), lamps.z);
+    lamps = make3(lamps.x, lamps.y * (real(1.0f) - real(2.0f) * saturate((height - real(3.5f)) * real(0.3f))),
+                  lamps.z);
     real length = sqrt(inner(lamps, lamps));
-    return scaled(frame.lamp_light, max(inner(lamps, normal), real(0.0f)) + real(0.14f) * min(length, real(0.7f)));
+    return scaled(frame.lamp_light,
+                  max(inner(lamps, normal), real(0.0f)) + real(0.14f) * min(length, real(0.7f)));
 }
 
 // How much a level way leads towards the sun, 0..1, squared.
 SHARED real sunward(real3 way) {
-    return square((way.x * real(frame.sun_direction.x) + way.z * real(frame.sun_direction.z)) * real(0.5f) + real(0.5f));
+    return square((way.x * real(frame.sun_direction.x) + way.z * real(frame.sun_direction.z)) * real(0.5f) +
+                  real(0.5f));
 }
 
 // Sky near the horizon and overhead, simple enough for reflections.
 SHARED real3 sky_towards(real3 way) {
-    real3 horizon = lerp(scaled(frame.haze_away, real(1.0f)), scaled(frame.haze_towards, real(1.0f)), sunward(way));
+    real3 horizon =
+        lerp(scaled(frame.haze_away, real(1.0f)), scaled(frame.haze_towards, real(1.0f)), sunward(way));
     return lerp(horizon, scaled(frame.zenith, real(1.0f)), saturate(way.y * real(1.4f)));
 }
 
@@ -179,21 +186,25 @@ SHARED real3 street_towards(real3 way) {
 // Beyond some metres the air shines, and hides what is behind. `ray` is a unit vector.
 SHARED real3 through_air(real3 light, real3 ray, real distance) {
     real depth = max(distance - real(frame.haze_away.w), real(0.0f)) * real(frame.haze_towards.w);
-    real3 air = lerp(scaled(frame.haze_away, real(1.0f)), scaled(frame.haze_towards, real(1.0f)), sunward(ray));
+    real3 air =
+        lerp(scaled(frame.haze_away, real(1.0f)), scaled(frame.haze_towards, real(1.0f)), sunward(ray));
     return lerp(light, air, depth * inverse(real(1.0f) + depth));
 }
 
-// What lies at infinity: the grid's light, and the sun's disc, softened. At night surfaces' red holds stars, and
-// green noise, without which dark skies show bands.
+// What lies at infinity: the grid's light, and the sun's disc, softened. At night surfaces' red holds stars,
+// and green noise, without which dark skies show bands.
 SHARED real3 sky_seen(Kept kept, real u, real v, real3 ray) {
     real x = u * real(float(k_sky_columns)), y = v * real(float(k_sky_rows));
-    real column = min(floor(x), real(float(k_sky_columns - 1))), row = min(floor(y), real(float(k_sky_rows - 1)));
+    real column = min(floor(x), real(float(k_sky_columns - 1))),
+         row = min(floor(y), real(float(k_sky_rows - 1)));
     real s = x - column, t = y - row;
     real3 above = lerp(sky_corner(column, row), sky_corner(column + real(1.0f), row), s);
-    real3 below = lerp(sky_corner(column, row + real(1.0f)), sky_corner(column + real(1.0f), row + real(1.0f)), s);
+    real3 below =
+        lerp(sky_corner(column, row + real(1.0f)), sky_corner(column + real(1.0f), row + real(1.0f)), s);
     real3 light = lerp(above, below, t);
     real towards = (ray.x * real(frame.sun_direction.x) + ray.y * real(frame.sun_direction.y) +
-                    ray.z * real(frame.sun_direction.z)) * inverse_length(ray);
+                    ray.z * real(frame.sun_direction.z)) *
+                   inverse_length(ray);
     real disc = saturate((towards - real(0.99985f)) * real(12000.0f)) * real(frame.sun_light.w);
     real star = kept.red * (real(0.5f / 255.0f) * real(frame.window_light.w));
     light = light + scaled(frame.sun_light, disc) + make3(star, star, star);
@@ -233,6 +244,12 @@ SHARED real3 surface_lit(Kept kept, real3 ray, real distance, real3 place) {
         real before = select(is_body, real(0.0f), real(0.7f));
         arriving = arriving + lamplight(place, normal, before) * (kept.sun * real(1.0f / 255.0f));
         arriving = arriving + scaled(frame.window_light, square(kept.glow) * real(k_most_glow / 65025.0f));
+    }
+    if (some(kept.glow > real(250.0f))) {
+        // Lenses that are lit are seen by day too; windows are of walls.
+        real seen = select(is_kind(kept, k_kind_thing),
+                           select(kept.glow > real(250.0f), real(1.3f), real(0.0f)), real(0.0f));
+        arriving = arriving + make3(seen, seen, seen);
     }
     real3 light = albedo * arriving;
     // The rim of bodies catches the sky.
@@ -281,8 +298,8 @@ SHARED real spread(real a, real b, real c, real d) { return most(a, b, c, d) - l
 SHARED truth is_one_surface(Kept a, Kept b, Kept c, Kept d) {
     truth is_level = both(spread(a.normal_u, b.normal_u, c.normal_u, d.normal_u) < real(200.0f),
                           spread(a.normal_v, b.normal_v, c.normal_v, d.normal_v) < real(200.0f));
-    truth is_close = spread(a.depth, b.depth, c.depth, d.depth) <=
-                     real(0.03f) * most(a.depth, b.depth, c.depth, d.depth);
+    truth is_close =
+        spread(a.depth, b.depth, c.depth, d.depth) <= real(0.03f) * most(a.depth, b.depth, c.depth, d.depth);
     truth is_one = both(both(is_level, is_close), spread(a.kind, b.kind, c.kind, d.kind) < real(0.5f));
     return either(is_one, most(a.depth, b.depth, c.depth, d.depth) <= real(0.0f));
 }

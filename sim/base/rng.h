@@ -27,7 +27,8 @@ enum class Purpose : uint32_t {
     coming,
     way,
     personality,
-    fall
+    fall,
+    lamp
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

@@ -371,6 +371,30 @@ static Onward onward_by_path(const Crowd& c, uint32_t i) {
     return {normalize_or(at - here, {0, 0}), aim};
 }
 
+// Along its path; or it waits for a lamp, and is not held up by it.
+static WayWish go_by_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick,
+                          uint64_t seed) {
+    Journey& j = c.journeys[i];
+    Heed heed;
+    if (minds_lamps(c.kerbs)) {
+        const float ahead = c.identity.ahead[i];
+        const PathGoer goer{.at = c.motion.position[i],
+                            .velocity = c.motion.velocity[i],
+                            .path = {&c.corners[size_t{i} * k_corners + j.corner],
+                                     static_cast<size_t>(j.corner_count - j.corner)},
+                            .usual = c.identity.preferred_speed[i],
+                            .ahead = ahead > 0 ? ahead + k_pram_reach : 0,
+                            .trip = j.trip};
+        heed = heed_lamp(c.kerbs, i, goer, tick, seed);
+    }
+    if (!heed.waits) return {follow_path(c, mesh, thread, i, tick, seed) * heed.pace, true};
+    j.closest = 1e9f;
+    j.closest_tick = tick;
+    j.insists_since = k_never;
+    c.decision.looks[i] = heed.stands && c.identity.ahead[i] == 0;
+    return {heed.wanted, false};
+}
+
 static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick,
                             uint64_t seed) {
     Journey& j = c.journeys[i];
@@ -396,7 +420,8 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
     else if (j.errand == Errand::by_way)
         wish = wish_by_way(c, mesh, thread, i, tick, seed);
     else if (!waits)
-        wish = {follow_path(c, mesh, thread, i, tick, seed), true};
+        wish = go_by_path(c, mesh, thread, i, tick, seed);
+    if (minds_lamps(c.kerbs) && (goes_on || waits || j.errand == Errand::by_way)) leave_kerb(c.kerbs, i);
     if (called) c.decision.looks[i] = wish.wanted == Vec2{};
     if (!c.downed.empty() && !lies && !passage) wish.wanted = round_who_lies(c, mesh, i, wish.wanted);
     c.decision.wanted[i] = wish.wanted;
@@ -463,6 +488,7 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
                 if (is_there(c, i)) decide_where_to(c, mesh, thread, i, tick, seed);
         }
     });
+    if (minds_lamps(c.kerbs)) give_spots(c.kerbs, c.count, tick);
 }
 
 }  // namespace flaneur

@@ -125,6 +125,8 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.demand = std::move(c.demand);
     wider.traffic = std::move(c.traffic);
     wider.driven = c.driven;
+    mind_lamps(wider.kerbs, c.kerbs.map, capacity);
+    keep_all(wider.kerbs, c.kerbs, &Kerbs::waits, &Kerbs::manners);
     wider.downed = c.downed;
     wider.called = c.called;
     wider.march = std::move(c.march);

@@ -116,6 +116,7 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.identity.linger[i] = w.linger;
     c.decision.wanted[i] = c.decision.course[i] = c.decision.aim[i] = c.decision.chosen[i] = {};
     c.decision.looks[i] = 0;
+    if (minds_lamps(c.kerbs)) leave_kerb(c.kerbs, i);
     c.decision.claim[i] = {};
     c.way_back[i] = {};
     Journey j;
@@ -144,6 +145,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     if (c.driven.walker == i) c.driven = {};
     (void)take_away(c.downed, i);
     (void)take_away(c.called, i);
+    if (minds_lamps(c.kerbs)) leave_kerb(c.kerbs, i);
 }
 
 const Passage* passage_of(const Crowd& c, uint32_t i) { return own_of(c.passages, i); }

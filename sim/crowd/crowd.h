@@ -24,6 +24,7 @@
 #include "sim/crowd/walker_id.h"
 #include "sim/ground/door.h"
 #include "sim/ground/surroundings.h"
+#include "sim/lamps/kerbs.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/navigation/traffic.h"
@@ -284,6 +285,7 @@ struct Crowd {
     uint32_t next_path = 0;  // the walker from which path requests are served next
     Demand demand;           // what draws them
     Traffic traffic;         // where they crowd
+    Kerbs kerbs;             // who waits for lamps
     CrowdScratch scratch;
 };
 

@@ -256,7 +256,9 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
     const bool hurries =
         pushes || wish != wished || length(c.decision.chosen[i]) < length(c.decision.wanted[i]) - k_slow;
     const Called* called = c.called.empty() ? nullptr : own_of(c.called, i);
-    const Vec2 looks_at = c.decision.looks[i] ? (called ? called->facing : c.journeys[i].facing)
+    const Vec2 looks_at = c.decision.looks[i] ? (called                      ? called->facing
+                                                 : waits_at_kerb(c.kerbs, i) ? faces_over(c.kerbs, i)
+                                                                             : c.journeys[i].facing)
                           : pushes            ? turns_pram_to(near, m.heading[i], c.decision.wanted[i])
                                               : Vec2{0, 0};
     Motion motion = next_motion({.velocity = m.velocity[i],

@@ -93,6 +93,15 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     };
     add_of_passage("kind", &Passage::kind), add_of_passage("shown", &Passage::shown),
         add_of_passage("door", &Passage::door);
+    if (minds_lamps(c.kerbs)) {
+        const KerbWait* wait = waits_at_kerb(c.kerbs, i) ? &c.kerbs.waits[i] : nullptr;
+        auto add_of_wait = [&](std::string_view name, auto KerbWait::*part) {
+            constexpr FieldName k_wait{"wait"};
+            each(FieldName{name, &k_wait}, wait ? &(wait->*part) : nullptr);
+        };
+        add_of_wait("kerb", &KerbWait::kerb), add_of_wait("spot", &KerbWait::spot);
+        add_of_wait("since", &KerbWait::since), add_of_wait("to", &KerbWait::to);
+    }
     add(k_journey, "way_back", c.way_back[i].polygon ? &c.way_back[i] : nullptr);
 }
 

@@ -278,6 +278,8 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
         for (const auto& [a, b] :
              {std::pair{"steppers", "steppers_way"}, {"steppers_way", "steppers"}, {"drunks", "drunk"}})
             if (key == a) one[b] = keys[b]["examples"][0];
+        plain.lamps = key == "jaywalkers";
+        if (plain.lamps) one["lamps"] = true;
         Result<Scene> scene = parse_scene(one.dump(), "it");
         ASSERT_TRUE(scene) << scene.error().message;
         EXPECT_EQ(*scene == plain, key == "$schema") << key;

@@ -27,19 +27,20 @@ sim/pose: sim/base, sim/gait, sim/gait/curves, sim/ground, sim/ik, sim/limbs
 sim/stepper: sim/base, sim/gait, sim/gait/curves, sim/movers, sim/pose
 sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
-sim/crowd: sim/base, sim/body, sim/ground, sim/limbs, sim/navigation, sim/ways
+sim/lamps: sim/base, sim/navigation
+sim/crowd: sim/base, sim/body, sim/ground, sim/lamps, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
 sim/alone: sim/crowd, sim/gait, sim/ground
 sim/figures: sim/alone, sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/deeds: sim/alone, sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
+sim: sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
-assets: sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/limbs
-assets/plan: assets, sim/base
+assets: sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/lamps, sim/limbs
+assets/plan: assets, sim/base, sim/lamps
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/props: assets, sim/base
 assets/people/shapes: sim/base

@@ -341,6 +341,15 @@ PartLook look_of(PropPart part) {
             return {rgb(0xc59a3d), k_material_metal};
         case PropPart::white:
             return {rgb(0xd8d6d0), k_material_metal};
+        case PropPart::drive_red:
+            return {rgb(0xff2417), k_material_lens};
+        case PropPart::walk_red:
+            return {rgb(0xff2a1a), k_material_lens};
+        case PropPart::drive_amber:
+            return {rgb(0xffa512), k_material_lens};
+        case PropPart::drive_green:
+        case PropPart::walk_green:
+            return {rgb(0x1dff8a), k_material_lens};
     }
     return {rgb(0xffffff), k_material_metal};
 }
@@ -370,6 +379,20 @@ bool is_lit_sign(PropKind kind, PropPart part) {
     return kind == PropKind::signal && (part == PropPart::red || part == PropPart::green);
 }
 
+// When a lens is lit, as CityVertex::uv has it.
+glm::vec2 timing_of(const LampPlan& plan, PropPart lens) {
+    uint32_t from = plan.walk_ends, until = plan.walk;
+    if (lens == PropPart::walk_green) from = plan.walk, until = plan.walk_ends;
+    if (lens == PropPart::drive_green) from = plan.drive, until = plan.drive_ends;
+    const uint32_t stops = (plan.drive_ends + k_amber) % plan.cycle;
+    if (lens == PropPart::drive_amber) from = plan.drive_ends, until = stops;
+    if (lens == PropPart::drive_red) from = stops, until = plan.drive;
+    auto steps = [](uint32_t low, uint32_t high) {
+        return static_cast<float>(low / k_lamp_ticks) + static_cast<float>(high / k_lamp_ticks) * k_lens_unit;
+    };
+    return {steps(plan.shift, plan.cycle), steps(from, until)};
+}
+
 IdKind id_kind(PropKind kind) {
     if (kind == PropKind::tree) return IdKind::tree;
     return kind == PropKind::car ? IdKind::car : IdKind::prop;
@@ -379,12 +402,22 @@ void add_props(CityMesh& mesh, const City& city) {
     mesh.seen_from.assign(mesh.indices.size() / 3, SeenFrom::anywhere);
     for (uint32_t number = 0; number < city.props.size(); ++number) {
         const Prop& prop = city.props[number];
+        const uint32_t crossing =
+            prop.kind == PropKind::signal ? crossing_of_post(city.crossings, prop.position) : k_no_lamp;
+        const LampPlan* plan =
+            crossing == k_no_lamp ? nullptr : &city.crossings.plans[city.crossings.all[crossing].plan];
+        auto make = [&](PropMesh& to) {
+            if (plan)
+                add_working_signal(to, prop, heads_of(prop, city.crossings.all[crossing]));
+            else
+                add_prop(to, prop);
+        };
         PropMesh made;
-        add_prop(made, prop);
+        make(made);
         mesh.seen_from.resize(mesh.seen_from.size() + made.indices.size() / 3, SeenFrom::near);
         PropMesh coarse;
         coarse.is_far = true;
-        add_prop(coarse, prop);
+        make(coarse);
         mesh.seen_from.resize(mesh.seen_from.size() + coarse.indices.size() / 3, SeenFrom::far);
         RandomKey key{prop.seed, 2, 0, Purpose::colour};
         uint32_t leaves =
@@ -398,7 +431,8 @@ void add_props(CityMesh& mesh, const City& city) {
                 if (v.part == PropPart::light && prop.kind == PropKind::lamp) material = k_material_light;
                 if (is_lit_sign(prop.kind, v.part)) material = k_material_signal;
                 colour = v.part == PropPart::leaves ? leaf_colour(leaves, v.shade) : shaded(colour, v.shade);
-                CityVertex drawn = vertex(v.position, v.normal, colour, k_within, material);
+                const glm::vec2 uv = material == k_material_lens ? timing_of(*plan, v.part) : k_within;
+                CityVertex drawn = vertex(v.position, v.normal, colour, uv, material);
                 drawn.id = id_of(id_kind(prop.kind), number);
                 add_vertex(mesh, drawn);
             }

@@ -33,7 +33,7 @@ struct Track {
         for (int i = 0; i <= ticks; ++i)
             at(lerp(from, to, static_cast<float>(i) / static_cast<float>(ticks)));
     }
-    const std::vector<Crossing>& crossings() const { return counts.lines[0].crossings; }
+    const std::vector<LineCrossing>& crossings() const { return counts.lines[0].crossings; }
 };
 
 // The line goes south: its right is the west, where x is below 0.
@@ -41,7 +41,7 @@ TEST(Count, CrossingsEachWay) {
     Track track;
     track.go({1, 2}, {-1, 2}, 60);
     ASSERT_EQ(track.crossings().size(), 1u);
-    const Crossing& right = track.crossings()[0];
+    const LineCrossing& right = track.crossings()[0];
     EXPECT_TRUE(right.to_right);
     EXPECT_NEAR(right.seconds, 0.5 + 1.0 / 60, 1e-6);
     EXPECT_EQ(right.person, 3u);

@@ -341,6 +341,7 @@ Result<Loaded> load(const Options& options) {
     }
     Result<City> bare = round ? Result<City>(std::move(round->stage)) : read_bare_city(scene);
     if (!bare) return bare.error();
+    if (!scene.lamps) take_lamps(bare->crossings);
     loaded.city = loaded.bare = std::make_shared<const City>(std::move(*bare));
     if (!scene.added.empty()) {
         City city = *loaded.bare;
@@ -371,6 +372,8 @@ Result<Loaded> load(const Options& options) {
     world.pushes = scene.pushes;
     world.throws = scene.balls;
     world.helpers = scene.helpers;
+    world.crossings = loaded.city->crossings;
+    world.jaywalkers = scene.jaywalkers;
     world.limbs = scene.limbs;
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
     if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
@@ -439,6 +442,8 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.pushes = world.pushes;
     options.throws = world.balls.planned;
     options.helpers = world.bystanders.helpers;
+    if (minds_lamps(world.crowd.kerbs)) options.crossings = world.crowd.kerbs.map->crossings;
+    options.jaywalkers = world.jaywalkers;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
     options.navmesh = settings_of(*world.navmesh);

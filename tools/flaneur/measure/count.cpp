@@ -33,7 +33,7 @@ bool has_left(const CountLine& line, Vec2 p) {
 }
 
 // Whoever is exactly on the line is to the right of it.
-bool meets(const CountLine& line, uint32_t tick, Vec2 from, const Present& to, Crossing& met) {
+bool meets(const CountLine& line, uint32_t tick, Vec2 from, const Present& to, LineCrossing& met) {
     const double before = right_of(line, from), after = right_of(line, to.at);
     if ((before >= 0) == (after >= 0)) return false;
     const double share = before / (before - after);
@@ -49,11 +49,12 @@ bool meets(const CountLine& line, uint32_t tick, Vec2 from, const Present& to, C
     return true;
 }
 
-void keep(LineCount& line, const Crossing& crossing) {
-    const auto at = std::upper_bound(
-        line.crossings.begin(), line.crossings.end(), crossing, [](const Crossing& a, const Crossing& b) {
-            return std::pair(a.seconds, a.person) < std::pair(b.seconds, b.person);
-        });
+void keep(LineCount& line, const LineCrossing& crossing) {
+    const auto at =
+        std::upper_bound(line.crossings.begin(), line.crossings.end(), crossing,
+                         [](const LineCrossing& a, const LineCrossing& b) {
+                             return std::pair(a.seconds, a.person) < std::pair(b.seconds, b.person);
+                         });
     line.crossings.insert(at, crossing);
 }
 
@@ -69,7 +70,7 @@ void follow(LineCount& line, uint32_t tick, Vec2 from, const Present& to) {
     if (line.open.empty() && is_beside(line.line, from, to.at)) return;
     const auto open = std::find_if(line.open.begin(), line.open.end(),
                                    [&](const LineCount::Open& o) { return o.who == to.id; });
-    if (Crossing met; meets(line.line, tick, from, to, met)) {
+    if (LineCrossing met; meets(line.line, tick, from, to, met)) {
         if (open != line.open.end())
             line.open.erase(open);  // has stepped back
         else if (has_left(line.line, to.at))
@@ -95,7 +96,7 @@ void sample(ZoneCount& zone, const Counts& counts) {
 void forget_after(Counts& counts, uint32_t tick) {
     for (LineCount& line : counts.lines) {
         line.since = std::min(line.since, tick);
-        std::erase_if(line.crossings, [&](const Crossing& c) { return c.seconds > seconds_at(tick); });
+        std::erase_if(line.crossings, [&](const LineCrossing& c) { return c.seconds > seconds_at(tick); });
     }
     for (ZoneCount& zone : counts.zones) {
         zone.since = std::min(zone.since, tick);

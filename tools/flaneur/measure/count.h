@@ -30,7 +30,7 @@ struct Present {
     uint32_t person = 0;  // as person_number() has it
 };
 
-struct Crossing {
+struct LineCrossing {
     double seconds = 0;  // since the beginning of the simulation
     uint32_t person = 0;
     bool to_right = false;
@@ -40,11 +40,11 @@ struct Crossing {
 
 struct LineCount {
     CountLine line;
-    uint32_t since = 0;               // tick
-    std::vector<Crossing> crossings;  // in the order of time
+    uint32_t since = 0;                   // tick
+    std::vector<LineCrossing> crossings;  // in the order of time
     struct Open {
         WalkerId who;
-        Crossing crossing;
+        LineCrossing crossing;
     };
     std::vector<Open> open;  // of those who have not left the line yet
 };

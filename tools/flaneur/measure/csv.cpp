@@ -20,7 +20,7 @@ void add(std::string& text, const char* form, Values... values) {
 
 std::string line_csv(const LineCount& line) {
     std::string text = "time_s,walker,direction,speed_m_per_s,x_m,z_m\n";
-    for (const Crossing& c : line.crossings)
+    for (const LineCrossing& c : line.crossings)
         add(text, "%.4f,%u,%s,%.3f,%.3f,%.3f\n", c.seconds, c.person, c.to_right ? "right" : "left",
             wide(c.speed), wide(c.at.x), wide(c.at.z));
     return text;

@@ -66,6 +66,8 @@ void add_density_difference(const OverlayInput& input, const World& other, Overl
 void add_walkable(const OverlayInput& input, Overlay& overlay);
 void add_trails(const OverlayInput& input, Overlay& overlay);
 void add_ways(const OverlayInput& input, Overlay& overlay);
+// Of crossings with lamps.
+void add_kerbs(const OverlayInput& input, Overlay& overlay);
 // Of those on a course.
 void add_stepper_ways(const OverlayInput& input, Overlay& overlay);
 void add_linkage_gizmos(const OverlayInput& input, Overlay& overlay);

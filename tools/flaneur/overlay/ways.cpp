@@ -116,6 +116,7 @@ void add_ways(const OverlayInput& input, Overlay& overlay) {
     if (!input.world.figures.plans.empty()) add_exhibit_ways(input.world, overlay);
     if (input.world.roam) return add_probes(input.world.roam->walkers, input.camera.eye, overlay);
     if (input.world.stepping) add_stepper_ways(input, overlay);
+    add_kerbs(input, overlay);
     const Crowd& c = input.world.crowd;
     std::vector<std::pair<float, const Wayfarer*>> near;
     for (const Wayfarer& way : c.wayfarers) {

@@ -46,6 +46,11 @@ void find_doing(const World& world, WalkerFacts& f) {
     const Bystander* minds = own_of(world.bystanders.all, f.number);
     if (is_down(crowd, f.number)) {
         f.doing = Doing::is_down;
+    } else if (waits_at_kerb(crowd.kerbs, f.number)) {
+        const Lamp lamp = lamp_at(plan_of(*crowd.kerbs.map, crowd.kerbs.waits[f.number].kerb), tick);
+        // Who comes too late waits until it is green again.
+        f.doing = lamp.light == Light::green ? Doing::is_at_lamp : Doing::waits_for_lamp;
+        f.seconds = seconds_of(lamp.left);
     } else if (minds && tick < minds->until && minds->does != Concern::glances) {
         f.doing = Doing::minds, f.minds = k_concern_words[static_cast<size_t>(minds->does)];
     } else if (journey.arrived && journey.errand == Errand::arrive) {
@@ -158,6 +163,12 @@ std::string told_doing(const WalkerFacts& f) {
             return "is slowed down by others or walls near";
         case Doing::roams:
             return "roams";
+        case Doing::waits_for_lamp:
+            std::snprintf(text, sizeof text, "waits for the lamp, %.0f s more",
+                          static_cast<double>(f.seconds));
+            return text;
+        case Doing::is_at_lamp:
+            return "stands at the lamp, which is green";
         case Doing::is_down:
             return "has fallen";
         case Doing::minds:

@@ -13,16 +13,18 @@ namespace flaneur {
 
 enum class Doing : uint8_t {
     walks,
-    stays,      // at its goal, for a while
-    arrived,    // where it was sent
-    seeks,      // a path is due
-    is_lost,    // no path was found; tries again
-    is_stuck,   // gets no nearer to where it turns next
-    gives_way,  // to one who has waited longer
-    is_held,    // goes slower than it would like, since others are near
-    roams,      // on a compound, where nobody has goals
-    is_down,    // has fallen, lies or gets up
-    minds,      // that somebody has fallen
+    stays,           // at its goal, for a while
+    arrived,         // where it was sent
+    seeks,           // a path is due
+    is_lost,         // no path was found; tries again
+    is_stuck,        // gets no nearer to where it turns next
+    gives_way,       // to one who has waited longer
+    is_held,         // goes slower than it would like, since others are near
+    roams,           // on a compound, where nobody has goals
+    is_down,         // has fallen, lies or gets up
+    minds,           // that somebody has fallen
+    waits_for_lamp,  // that is red
+    is_at_lamp,      // that is green: starts in a moment, or has come too late
 };
 
 struct WalkerFacts {

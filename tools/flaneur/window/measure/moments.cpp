@@ -47,7 +47,7 @@ std::optional<Height> fullest(const LineCount& line, uint32_t from, uint32_t lat
     const auto end = static_cast<size_t>(latest / 60.0 / k_step_seconds);
     if (end <= first) return {};
     std::vector<uint32_t> steps(end - first);
-    for (const Crossing& crossing : line.crossings) {
+    for (const LineCrossing& crossing : line.crossings) {
         const auto step = static_cast<size_t>(crossing.seconds / k_step_seconds);
         if (step >= first && step < end) ++steps[step - first];
     }
