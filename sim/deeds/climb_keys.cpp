@@ -58,7 +58,7 @@ ClimbKeys keys_to_step(const ClimbSizes& s, const ClimbStances& st) {
     m.hips({-0.05f * k, high - 0.08f * k, -near});
     m.foot(k_right, st.ankles[0][k_right], 0, 0.42f);
     m.turn(0, 12 + low, 34, -4), m.foot(k_left, {0.13f * k, over, far}, 1, 0.15f), m.put(0.42f);
-    m.hips({-0.01f * k, high - 0.13f * k, 0.02f * k});
+    m.hips({-0.01f * k, high - clamp(0.13f - 0.6f * (s.height / s.leg - 0.5f), 0.07f, 0.13f) * k, 0.02f * k});
     m.foot(k_right, st.ankles[0][k_right] + Vec3{0, 0.1f * k, 0.0f * k}, 0.5f, 0.9f);
     m.turn(0, 16, 30, 0), m.foot(k_left, st.ankles[1][k_left], 0, 0.1f), m.put(0.42f);
     m.hips({0.04f * k, high - 0.08f * k, 0.2f * k});

@@ -23,7 +23,7 @@ constexpr float k_ajar = 0.3f;                                  // radians to wh
 constexpr float k_steps_in = 0.8f;                              // radians from which on one who pulls goes
 constexpr float k_leans = 0.25f;                                // radians that the trunk follows the hand
 constexpr float k_turned = 0.22f;                               // seconds that the lever takes
-constexpr float k_to_face = 0.4f;                               // seconds from lever to face
+constexpr float k_to_face = 0.5f;                               // seconds from lever to face
 
 Vec3 own_place(Someone who, size_t joint) {
     const auto& at = who.person.joints[joint];
@@ -261,7 +261,7 @@ Spot before_door(const Deeds& d, size_t i, const SwingDoor& door, bool pushes) {
                 shoulder = k_half_shoulders * k;
     if (!pushes)
         return {f.world({std::max(handle + shoulder + 0.12f,
-                                  door.width + 0.19f * k + 0.6f * std::max(k - 1.03f, 0.0f)),
+                                  door.width + std::max(0.19f * k, 0.17f) + 0.6f * std::max(k - 1.03f, 0.0f)),
                          0.1f + arm_ahead(d, i)}),
                 door.heading + k_pi};
     const float u = 0.72f, aside = handle - (u - shoulder), reach = arm_ahead(d, i);
@@ -276,7 +276,7 @@ Vec2 way_in(const Deeds& d, size_t i, const SwingDoor& door, Vec2 own) {
     const float k = scale_of(d, i), aside = door.width - k_half * k;
     const Frame f = frame_of(door);
     const Vec2 way[] = {
-        f.own(before_door(d, i, door, false).at), {aside, 0.58f * k}, {0.56f * door.width, 0}};
+        f.own(before_door(d, i, door, false).at), {aside, 0.62f * k}, {0.56f * door.width, 0}};
     float left = k_ahead;
     // From the nearest place of it on.
     size_t nearest = 0;
@@ -298,7 +298,7 @@ Vec2 way_in(const Deeds& d, size_t i, const SwingDoor& door, Vec2 own) {
 }  // namespace
 
 DoerWish pass_door(Deeds& d, size_t i) {
-    constexpr float k_near = 0.4f, k_reach = 1.9f, k_gone = 1.15f, k_back = 0.24f;
+    constexpr float k_near = 0.4f, k_reach = 1.9f, k_gone = 1.15f, k_back = 0.24f, k_before = 0.4f;
     constexpr float k_at = 0.09f, k_slow = 0.25f, k_turned_to = 0.2f;  // metres, m/s, radians: it is there
     Doer& doer = d.doers[i];
     const Deed& deed = deed_of(d, i);
@@ -336,7 +336,7 @@ DoerWish pass_door(Deeds& d, size_t i) {
         }
         case DoerStage::act: {
             if (doer.has == 0 && past > 0.1f) next_stage_of(doer, DoerStage::leave);
-            if (pushes ? leaf.angle < 0.1f : leaf.angle < k_steps_in && past < 0) {
+            if (pushes ? leaf.angle < 0.1f : leaf.angle < k_steps_in && past < -k_before) {
                 // Back, if the leaf comes against one; and again, if it has not come far enough.
                 const bool stands = leaf.angle > 0.05f && leaf.speed <= 0;
                 if (stands && doer.has == 0) next_stage_of(doer, DoerStage::go);

@@ -160,23 +160,23 @@ Deeds at_a_door(const Body& body, bool left, uint64_t seed) {
 TEST(Deeds, AHandStaysOnTheHandleAndTheLeafOffTheBody) {
     uint64_t seed = 1;
     for (const float height : k_heights)
-        for (const int variant : {0, 1, 2, 3}) {
-            const bool left = variant % 2 != 0, heavy = variant > 1;
+        for (const int variant : {0, 1, 2, 3, 4, 5, 6, 7}) {
+            const bool left = variant % 2 != 0, heavy = variant % 4 > 1;
             SCOPED_TRACE(testing::Message()
                          << height << " m, hinge " << left << ", heavy " << heavy << ", seed " << seed);
             Deeds d = at_a_door(heavy ? heavy_body(height) : standard_body(height), left, seed);
             float widest = 0;
-            const DeedWatch w = watch(d, seed++, 36 * k_ticks_a_second);
-            EXPECT_LT(w.palms.value, height < 1.4f ? 0.035f : 0.005f) << told(w.palms);
-            EXPECT_LT(w.into.value, height > 1.9f || height < 1.4f ? 0.035f : 0.025f) << told(w.into);
+            const DeedWatch w = watch(d, seed++, 30 * k_ticks_a_second);
+            EXPECT_LT(w.palms.value, height < 1.4f ? 0.03f : 0.005f) << told(w.palms);
+            EXPECT_LT(w.into.value, 0.03f) << told(w.into);
             EXPECT_LT(w.beyond.value, 2) << told(w.beyond);
             EXPECT_LT(w.fastest.value, 21) << told(w.fastest);
             EXPECT_GE(d.doers[0].done, 6u);
-            for (uint32_t tick = 0; tick < 600; ++tick) {
+            for (uint32_t tick = 0; tick < 400; ++tick) {
                 step_deeds(d, seed, tick);
                 widest = std::max(widest, d.leaves[0].angle);
             }
-            EXPECT_GT(widest, 1.3f) << "it opens";
+            EXPECT_GT(widest, 1.1f) << "it opens";
             d.plans[0].round = {{What::walk, 0, {0, 9}}};
             d.doers[0].deed = 0, d.doers[0].has = 0;
             for (uint32_t tick = 0; tick < 420; ++tick) step_deeds(d, seed, tick);
