@@ -6,6 +6,7 @@
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/base/spans.h"
+#include "sim/fall/bodies.h"
 #include "sim/fall/fall.h"
 #include "sim/fall/lane.h"
 #include "sim/fall/limbs.h"
@@ -92,6 +93,34 @@ void begin_fall(World& w, Fall& f) {
     go_down(w.crowd, f.walker);
 }
 
+BodyInTheWay in_the_way(const World& w, const Fall& f) {
+    return {balls_of(body_pose_of(w.previous_poses, f.walker), f.segments, person_of(w, f), lane_in_gait(f)),
+            f.segments.radius};
+}
+
+// Everybody else on the ground who is so near that bodies may touch.
+template <class Do>
+void for_fallen_near(const World& w, const Fall& f, const Do& act) {
+    constexpr float k_reach = 2.2f;  // metres, of hips
+    std::array<uint32_t, 64> near;
+    const size_t count = those_near(w, w.crowd.motion.position[f.walker], k_reach, near);
+    for (const uint32_t i : std::span(near).first(count)) {
+        const Fall* other = i == f.walker ? nullptr : own_of(w.falls.all, i);
+        if (other && other->phase != FallPhase::sways) act(*other);
+    }
+}
+
+// Who lies under another waits until that one is up, for a while.
+bool is_lain_on(const World& w, const Fall& f) {
+    constexpr float k_longest = 1;  // seconds
+    if (w.tick > f.rises_at + ticks_of(k_longest)) return false;
+    bool is = false;
+    for_fallen_near(w, f, [&](const Fall& other) {
+        if (other.phase != FallPhase::rises) is = is || lies_on(in_the_way(w, other), in_the_way(w, f));
+    });
+    return is;
+}
+
 // Aims, planes and shapes of one who falls, for the tick.
 void prepare_fall(World& w, const Fall& f) {
     Falls& falls = w.falls;
@@ -101,6 +130,9 @@ void prepare_fall(World& w, const Fall& f) {
     aim_fall(falls.aims[b], own, falls.blocks[b], f.stood, f.to,
              static_cast<float>(w.tick - f.began) * k_tick, f.lain);
     find_planes(falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin, w.around, f.floor);
+    for_fallen_near(w, f, [&](const Fall& other) {
+        meet_body(falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin, in_the_way(w, other));
+    });
 }
 
 void fall_on(World& w, Fall& f) {
@@ -160,7 +192,8 @@ void follow_hips(World& w, const Fall& f) {
 void begin_to_rise(World& w, Fall& f) {
     f.phase = FallPhase::rises;
     f.began = w.tick;
-    f.share = f.raised = 0;
+    f.share = 0;
+    f.raised = air_below(f.from, f.segments, person_of(w, f), lane_in_gait(f), w.around, f.floor);
     f.stage = first_stage(f.lie);
     w.crowd.motion.turn_rate[f.walker] = 0;
 }
@@ -188,16 +221,22 @@ void find_stance(World& w, Fall& f) {
 }
 
 // What of a body rests on the ground in a stage, `t` of the way through it to `end`.
-Rests rests_of(const Fall& f, const BodyPose& end, const PersonBlock& person, int lane, float t) {
-    constexpr float k_hand_lift = 0.05f;  // metres
+Rests rests_of(const Fall& f, const BodyPose& end, const PersonBlock& person, int lane, float t,
+               float risen_for) {
+    constexpr float k_hand_lift = 0.05f, k_sees_after = 0.12f;  // metres, seconds
     Rests rests;
+    rests.sees_steps = smoothstep(0, k_sees_after, risen_for);
     for (const Side side : {k_left, k_right}) {
         const auto k = static_cast<size_t>(side);
         rests.arms_from[k] = arm_way(f.from, person, lane, side);
         rests.arms_to[k] =
-            f.stage == RiseStage::fours ? arm_way(end, person, lane, side) : rests.arms_from[k];
+            f.stage <= RiseStage::fours ? arm_way(end, person, lane, side) : rests.arms_from[k];
     }
-    if (f.stage == RiseStage::fours) {
+    if (f.stage == RiseStage::side) {
+        rests.hands = 1;
+        rests.hands_on = t;
+        rests.hands_above = palms_above(end, f.segments, person, lane);
+    } else if (f.stage == RiseStage::fours) {
         rests.hands = 1;
         rests.hands_on = t;
         rests.hands_lift = k_hand_lift;
@@ -246,8 +285,9 @@ void rise_on(World& w, Fall& f) {
     }
     // Limbs that were set on the ground may have come to a wall; on steps they stay where they stand.
     keep_off_walls(pose, f.segments, person, lane, w.around);
-    const bool is_smooth = settle(pose, f.segments, person, lane, w.around, f.floor,
-                                  rests_of(f, end, person, lane, t), f.raised, k_tick);
+    const bool is_smooth = settle(
+        pose, body_pose_of(w.previous_poses, f.walker), f.segments, person, lane, w.around, f.floor,
+        rests_of(f, end, person, lane, t, static_cast<float>(w.tick - f.began) * k_tick), f.raised, k_tick);
     if (is_smooth) keep_off_walls(pose, f.segments, person, lane, w.around);
     set_body_pose(w.poses, person, f.walker, pose);
     if (f.share < 1) return;
@@ -265,7 +305,7 @@ void change_phase(World& w, Fall& f) {
         const bool has_long = w.tick - f.began > ticks_of(k_longest_fall);
         if (f.still > k_quiet_for || has_long) lie_down(w, f);
     } else if (f.phase == FallPhase::lies) {
-        if (w.tick >= f.rises_at && !is_awaited(w, f)) begin_to_rise(w, f);
+        if (w.tick >= f.rises_at && !is_awaited(w, f) && !is_lain_on(w, f)) begin_to_rise(w, f);
     } else if (f.stage < RiseStage::stand) {
         turn_root(w, f);
     } else if (f.share == 0 && f.stage == RiseStage::stand) {

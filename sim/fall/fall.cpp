@@ -111,13 +111,27 @@ void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
 void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const TumbleShapes& shapes,
                  Vec3 origin, const Surroundings& around, float floor) {
     constexpr float k_up = 0.6f, k_down = 3, k_level = 0.02f, k_foreseen = 0.08f, k_near_wall = 1.4f;
-    std::array<Vec3, k_ball_count> at, moving;
+    constexpr size_t k_ways_about = 8, k_places = k_ball_count + k_ways_about + k_ball_count;
+    constexpr float k_about = 0.6f, k_beyond = 0.12f;  // metres
+    std::array<Vec3, k_places> at;
+    std::array<Vec3, k_ball_count> moving;
     for (int k = 0; k < k_ball_count; ++k) {
         const BallMotion ball = ball_motion(block, shapes, k, lane, origin);
         at[k] = ball.place;
         moving[k] = ball.velocity;
     }
-    std::array<std::optional<GroundHit>, k_ball_count> hits;
+    // Beside what is below them, what limbs may come to.
+    for (size_t i = 0; i < k_ways_about; ++i)
+        at[k_ball_count + i] =
+            at[0] +
+            at_height(heading_direction(2 * k_pi * static_cast<float>(i) / k_ways_about) * k_about, 0);
+    for (size_t k = 0; k < k_ball_count; ++k) {
+        const Vec2 out = normalize_or(on_ground(at[k] - at[0]), {0, 1});
+        const Vec3 goes = at_height(on_ground(moving[k]) * k_tick, 0);
+        at[k_ball_count + k_ways_about + k] =
+            at[k] + goes + at_height(out * (shapes.radius[k][lane] + k_beyond), 0);
+    }
+    std::array<std::optional<GroundHit>, k_places> hits;
     ground_at(around, at, k_up, k_down, hits.data());
     auto set_ground = [&](int k, Vec3 place, Vec3 normal) {
         set_row(planes.normal[k], lane, normal);
@@ -126,7 +140,8 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
     // Over one plane each meets what is below it.
     const std::optional<GroundHit> first = hits[0];
     bool is_plane = first.has_value();
-    for (int k = 1; k < k_ball_count && is_plane; ++k) {
+    for (size_t k = 1; k < k_places && is_plane; ++k) {
+        if (!hits[k] && k >= k_ball_count) continue;  // a wall's other side
         is_plane = hits[k].has_value();
         if (!is_plane) break;
         const Vec3 step = at_height(on_ground(at[k] - at[0]), hits[k]->height - first->height);
@@ -170,13 +185,13 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
         // How far its edge is.
         const Vec2 way = up_hill / climbs;
         float free = 0, full = far;
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < 7; ++i) {
             const float middle = 0.5f * (free + full);
             (height_at(way * middle) < low ? free : full) = middle;
         }
         planes.has_walls = 1;
         set_row(planes.wall[k], lane, at_height(-way, 0));
-        planes.wall_offset[k][lane] = dot(at_height(-way, 0), at[k] - origin) - full;
+        planes.wall_offset[k][lane] = dot(at_height(-way, 0), at[k] - origin) - free;
     };
     for (int k = 0; k < k_ball_count; ++k) {
         if (is_plane) {

@@ -144,6 +144,20 @@ void set_arm(BodyPose& pose, const PersonBlock& person, int lane, Side side, con
     }
 }
 
+ArmPlaces arm_places(const BodyPose& pose, const PersonBlock& person, int lane, Side side) {
+    const int upper = upper_arm_of(side);
+    const auto places = places_of(pose, person, lane);
+    return {places[upper], places[upper + 1], palm_from(pose, person, lane, upper + 2, places[upper + 2])};
+}
+
+void place_arm(BodyPose& pose, const PersonBlock& person, int lane, Side side, Vec3 palm, Vec3 elbow) {
+    ArmWay way = arm_way(pose, person, lane, side);
+    const PlainArm arm = plain_arm(pose, person, lane, side, palm);
+    const Vec3 off = elbow - arm.shoulder, out = off - arm.along * dot(off, arm.along);
+    way.turn = arctan2(dot(cross(arm.pole, out), arm.along), dot(arm.pole, out));
+    set_arm(pose, person, lane, side, way, way, 0, palm);
+}
+
 void blend_arm(BodyPose& pose, const BodyPose& to, Side side, float part) {
     const int upper = upper_arm_of(side);
     Quat was_above = pose.rotation[upper - 1], above = was_above, to_above = to.rotation[upper - 1];
@@ -173,6 +187,12 @@ void fold_knee(BodyPose& pose, Side side, float angle) {
     const int shank = thigh_of(side) + 1;
     const Quat turn = turn_about(rotate(pose.rotation[shank], {1, 0, 0}), angle);
     for (int j = shank; j <= shank + 2; ++j) pose.rotation[j] = normalize(turn * pose.rotation[j]);
+}
+
+void turn_foot(BodyPose& pose, Side side, float angle) {
+    const int foot = thigh_of(side) + 2;
+    const Quat turn = turn_about(rotate(pose.rotation[foot], {1, 0, 0}), angle);
+    for (int j = foot; j <= foot + 1; ++j) pose.rotation[j] = normalize(turn * pose.rotation[j]);
 }
 
 HeadTurn turn_to_look(const BodyPose& pose, const PersonBlock& person, int lane, Vec3 place) {

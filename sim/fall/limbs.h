@@ -25,6 +25,13 @@ ArmWay arm_way(const BodyPose& pose, const PersonBlock& person, int lane, Side s
 // whatever both are.
 void set_arm(BodyPose& pose, const PersonBlock& person, int lane, Side side, const ArmWay& from,
              const ArmWay& to, float t, Vec3 palm);
+struct ArmPlaces {
+    Vec3 shoulder, elbow, palm;
+};
+ArmPlaces arm_places(const BodyPose& pose, const PersonBlock& person, int lane, Side side);
+// The palm at `palm`, or as near as the arm reaches, and the elbow on the side of the place `elbow`; bones
+// are turned about themselves as they are against that.
+void place_arm(BodyPose& pose, const PersonBlock& person, int lane, Side side, Vec3 palm, Vec3 elbow);
 // Brings an arm, against the chest, by `part` of the way to where it is in `to`.
 void blend_arm(BodyPose& pose, const BodyPose& to, Side side, float part);
 // Where the middle of the palm is, and how far it can be from the shoulder.
@@ -33,6 +40,8 @@ float reach_of_arm(const PersonBlock& person, int lane);
 
 // Turns shank and foot about the knee, `angle` radians farther than they are bent.
 void fold_knee(BodyPose& pose, Side side, float angle);
+// Turns the foot about the ankle by so many radians, toes down.
+void turn_foot(BodyPose& pose, Side side, float angle);
 
 // Radians of yaw, to the left, and of pitch, up.
 struct HeadTurn {

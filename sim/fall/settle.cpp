@@ -11,6 +11,7 @@ namespace {
 constexpr float k_up = 0.9f, k_down = 2.5f;
 // Where the ground is uneven a ball has as much under it as is near: so it does not meet a riser all at once.
 constexpr int k_rings = 3, k_rays = 6;
+constexpr float k_unseen = 0.12f;
 constexpr float k_ring = 0.035f, k_steep = 1.6f;  // metres; of metres, by which what is farther counts less
 
 using Balls = std::array<Vec3, k_ball_count>;
@@ -19,6 +20,7 @@ using Heights = std::array<float, k_ball_count>;
 struct GroundBelow {
     const Surroundings& around;
     float floor;
+    float unseen = 0;  // metres, by which what is near a ball, and not under it, counts less
     bool is_plane = false, has_steps = false;
     Vec3 at{}, normal{0, 1, 0};
 };
@@ -27,7 +29,8 @@ struct GroundBelow {
 GroundBelow ground_below(const Surroundings& around, float floor, const Balls& balls) {
     constexpr float k_level = 0.004f, k_rough = 0.06f, k_limbs[] = {0.5f, 1};  // metres
     constexpr size_t k_ways = 8, k_places = k_ball_count + 2 * k_ways;
-    GroundBelow below{around, floor, true};
+    GroundBelow below{around, floor};
+    below.is_plane = true;
     std::array<Vec3, k_places> places;
     std::copy(balls.begin(), balls.end(), places.begin());
     for (size_t i = 0; i < 2 * k_ways; ++i) {
@@ -86,7 +89,8 @@ void find_heights(const GroundBelow& below, std::span<const Vec3> balls, float* 
         float highest = -1e6f;
         for (size_t i = 0; i < k_samples; ++i) {
             const float height = hits[i] ? hits[i]->height : i == 0 ? below.floor : -1e6f;
-            highest = std::max(highest, height - k_steep * length(offsets[i]));
+            const float less = i == 0 ? 0 : k_steep * length(offsets[i]) + below.unseen;
+            highest = std::max(highest, height - less);
         }
         heights[k] = highest;
     }
@@ -98,7 +102,12 @@ float clear_of(const GroundBelow& below, const Segments& segments, int ball, Vec
     return at.y - height - segments.radius[static_cast<size_t>(ball)] / slope;
 }
 
-constexpr int k_shank_of[] = {12, 20}, k_palm_of[] = {9, 17};  // balls
+constexpr int k_shank_of[] = {12, 20}, k_elbow_of[] = {7, 15}, k_palm_of[] = {9, 17};  // balls
+struct BallRange {
+    int first, count;
+};
+constexpr BallRange k_trunk{0, 7}, k_left_arm{7, 3}, k_left_leg{10, 5}, k_right_arm{15, 3},
+    k_right_leg{18, 5};
 constexpr int k_legs = 3;  // balls of shank and foot, from that of the shank on
 
 bool bears(int ball) {
@@ -126,6 +135,23 @@ struct Setting {
     }
 };
 
+// Toes that are in the ground go up, and the ankle bends as far as it may.
+void bend_foot(const Setting& s, BodyPose& pose, Side side) {
+    constexpr float k_most = 0.6f, k_lazy = 0.2f, k_works = 0.6f;  // radians; as in lift_leg()
+    const int foot = side == k_left ? left_foot : right_foot;
+    const int tip = k_shank_of[side] + 2;
+    const Balls at = s.balls(pose);
+    const float deep = -s.least(at, tip, 1);
+    if (deep <= 0) return;
+    const Vec3 axis = rotate(pose.rotation[foot], {1, 0, 0});
+    const Vec3 off = at[static_cast<size_t>(tip)] - places_of(pose, s.person, s.lane)[foot];
+    const float lever = length(off), rises = cross(axis, off).y / lever;
+    const float part = smoothstep(k_lazy, k_works, std::fabs(rises));
+    turn_foot(
+        pose, side,
+        std::copysign(part * std::min(deep / (lever * std::max(std::fabs(rises), k_works)), k_most), rises));
+}
+
 void lift_leg(const Setting& s, BodyPose& pose, Side side, bool keeps_foot) {
     constexpr float k_hangs_from = 0.3f, k_hangs_to = 0.8f;  // shanks, of the foot below the knee
     constexpr float k_most_bent = 2.6f;                      // radians of a knee
@@ -133,6 +159,9 @@ void lift_leg(const Setting& s, BodyPose& pose, Side side, bool keeps_foot) {
     const int foot = side == k_left ? left_foot : right_foot;
     const int first = k_shank_of[side];
     float deep = -s.least(s.balls(pose), first, k_legs);
+    if (deep <= 0) return;
+    bend_foot(s, pose, side);
+    deep = -s.least(s.balls(pose), first, k_legs);
     if (deep <= 0) return;
     const auto places = places_of(pose, s.person, s.lane);
     const float shank = length(places[foot] - places[foot - 1]);
@@ -156,6 +185,22 @@ void lift_leg(const Setting& s, BodyPose& pose, Side side, bool keeps_foot) {
     }
 }
 
+// From where it was a tick ago, no farther than it swings.
+void swing_leg(const Setting& s, BodyPose& pose, const BodyPose& before, Side side) {
+    constexpr float k_ankle_goes = 0.06f, k_foot_turns = 0.22f;  // metres, radians a tick
+    const int foot = side == k_left ? left_foot : right_foot;
+    const Vec3 was = places_of(before, s.person, s.lane)[foot];
+    const Vec3 goes = places_of(pose, s.person, s.lane)[foot] - was;
+    const float far = length(goes);
+    if (far > k_ankle_goes) reach_with_leg(pose, s.person, s.lane, side, was + goes * (k_ankle_goes / far));
+    const Quat turn = pose.rotation[foot] * conjugate(before.rotation[foot]);
+    const float cosine = std::min(std::fabs(turn.w), 1.0f), angle = 2 * arccos(cosine);
+    if (angle <= k_foot_turns) return;
+    const Quat held = nlerp(before.rotation[foot], pose.rotation[foot], k_foot_turns / angle);
+    const Quat by = held * conjugate(pose.rotation[foot]);
+    for (int j = foot; j <= foot + 1; ++j) pose.rotation[j] = normalize(by * pose.rotation[j]);
+}
+
 // The foot that is set down goes to the ground below it.
 void plant(const Setting& s, BodyPose& pose, Side side, float part) {
     constexpr float k_farthest = 0.4f;
@@ -169,52 +214,154 @@ void plant(const Setting& s, BodyPose& pose, Side side, float part) {
 
 // Along its way on the ground, as far as arms are long; else out of it alone.
 void set_hand(const Setting& s, BodyPose& pose, Side side, const Rests& rests) {
-    const int ball = k_palm_of[side];
-    const float radius = s.segments.radius[static_cast<size_t>(ball)];
-    if (rests.hands > 0) {
-        const ArmWay& from = rests.arms_from[static_cast<size_t>(side)];
-        const ArmWay& to = rests.arms_to[static_cast<size_t>(side)];
-        const float t = rests.hands_on;
-        const Vec3 places[] = {from.palm,
-                               at_height(lerp(on_ground(from.palm), on_ground(to.palm), t), from.palm.y)};
-        float heights[2];
-        find_heights(s.below, places, heights);
-        const float above = std::max(from.palm.y - heights[0] - radius, 0.0f) * (1 - smoothstep(0, 0.6f, t));
-        const Vec3 at =
-            at_height(on_ground(places[1]), heights[1] + radius + above + 4 * t * (1 - t) * rests.hands_lift);
-        BodyPose rested = pose;
-        set_arm(rested, s.person, s.lane, side, from, to, t, at);
-        blend_arm(pose, rested, side, rests.hands);
+    if (rests.hands <= 0) return;
+    const float radius = s.segments.radius[static_cast<size_t>(k_palm_of[side])];
+    const auto k = static_cast<size_t>(side);
+    const ArmWay &from = rests.arms_from[k], &to = rests.arms_to[k];
+    const float t = rests.hands_on;
+    const Vec3 places[] = {from.palm,
+                           at_height(lerp(on_ground(from.palm), on_ground(to.palm), t), from.palm.y)};
+    float heights[2];
+    find_heights(s.below, places, heights);
+    const float above = std::max(from.palm.y - heights[0] - radius, 0.0f) * (1 - smoothstep(0, 0.6f, t)) +
+                        rests.hands_above[k] * smoothstep(0.4f, 1, t);
+    const Vec3 at =
+        at_height(on_ground(places[1]), heights[1] + radius + above + 4 * t * (1 - t) * rests.hands_lift);
+    BodyPose rested = pose;
+    set_arm(rested, s.person, s.lane, side, from, to, t, at);
+    blend_arm(pose, rested, side, rests.hands);
+}
+
+// From where it was towards where it is to be, out of the ground: the palm is lifted, and the elbow goes
+// round the line from shoulder to palm, over the top of its circle where that dips into the ground.
+void swing_arm(const Setting& s, BodyPose& pose, const BodyPose& before, Side side) {
+    constexpr float k_hand_goes = 0.05f, k_elbow_turns = 0.16f, k_elbow_flees = 0.16f,
+                    k_hand_flees = 0.08f;  // metres and radians a tick
+    constexpr float k_foreseen = 0.04f, k_most_bent = 0.3f, k_straightest = 0.995f, k_upright = 0.05f;
+    const ArmPlaces now = arm_places(pose, s.person, s.lane, side),
+                    was = arm_places(before, s.person, s.lane, side);
+    const auto palm_ball = static_cast<size_t>(k_palm_of[side]),
+               elbow_ball = static_cast<size_t>(k_elbow_of[side]);
+    const float slope = s.below.is_plane ? std::max(s.below.normal.y, 0.5f) : 1;
+    auto needs = [&](Vec3 at, size_t ball) {
+        float height;
+        find_heights(s.below, std::span<const Vec3>{&at, 1}, &height);
+        return height + s.segments.radius[ball] / slope;
+    };
+    Vec3 goes = now.palm - was.palm;
+    if (const float far = length(goes); far > k_hand_goes) goes = goes * (k_hand_goes / far);
+    const float a = length(now.elbow - now.shoulder), b = length(now.palm - now.elbow);
+    Vec3 palm = was.palm + goes;
+    palm.y = std::max(palm.y, std::min(needs(palm, palm_ball), was.palm.y + k_hand_flees));
+    // What is too near the shoulder gives way along the ground.
+    const Vec3 off = palm - now.shoulder;
+    const float nearest = k_most_bent * (a + b), flat = nearest * nearest - off.y * off.y;
+    if (flat > length_squared(on_ground(off)))
+        palm = now.shoulder +
+               at_height(normalize_or(on_ground(off), on_ground(was.palm - was.shoulder)) * std::sqrt(flat),
+                         off.y);
+    const Vec3 along = normalize_or(palm - now.shoulder, {0, -1, 0});
+    const float reach = std::min(length(palm - now.shoulder), k_straightest * (a + b));
+    palm = now.shoulder + along * reach;
+    const float on = (a * a - b * b + reach * reach) / (2 * reach);
+    const float wide = std::sqrt(std::max(a * a - on * on, 0.0f));
+    const Vec3 middle = now.shoulder + along * on;
+    const Vec3 rises = Vec3{0, 1, 0} - along * along.y;
+    const float lever = length(rises);
+    const bool is_upright = lever < k_upright;
+    const Vec3 top = is_upright ? Vec3{0, 0, 1} - along * along.z : rises;
+    const Vec3 up = top / length(top), aside = cross(along, up);
+    // Of elbows, from the top of the circle on.
+    auto angle_of = [&](Vec3 from) { return arctan2(dot(from, aside), dot(from, up)); };
+    auto elbow_at = [&](float angle) {
+        const SinCos at = sin_cos(angle);
+        return middle + (up * at.cosine + aside * at.sine) * wide;
+    };
+    auto widest_at = [&](float angle, float spare) {
+        if (is_upright) return k_pi;
+        const float cosine = (needs(elbow_at(angle), elbow_ball) + spare - middle.y) / (wide * lever);
+        return cosine <= -1 ? k_pi : cosine >= 1 ? 0.0f : arccos(cosine);
+    };
+    const float wanted = angle_of(now.elbow - now.shoulder), had = angle_of(was.elbow - was.shoulder);
+    const float room = std::min(widest_at(wanted, k_foreseen), widest_at(had, k_foreseen));
+    const float turns = room < k_pi ? clamp(wanted, -room, room) - had : wrap_angle(wanted - had);
+    float angle = had + clamp(turns, -k_elbow_turns, k_elbow_turns);
+    for (int pass = 0; pass < 2; ++pass) {
+        const float most = widest_at(angle, 0), turn = wrap_angle(angle);
+        if (most < k_pi) angle = turn + clamp(clamp(turn, -most, most) - turn, -k_elbow_flees, k_elbow_flees);
     }
-    const float hand = s.least(s.balls(pose), ball - 1, 2);
-    if (hand < 0)
-        reach_with_arm(pose, s.person, s.lane, side,
-                       palm_of(pose, s.person, s.lane, side) - Vec3{0, hand, 0});
+    place_arm(pose, s.person, s.lane, side, palm, elbow_at(angle));
+    // Wrists are not quite on the way from elbow to palm.
+    const float deep = -s.least(s.balls(pose), k_palm_of[side] - 1, 2);
+    if (deep > 0)
+        place_arm(pose, s.person, s.lane, side, palm + Vec3{0, std::min(deep, k_hand_goes), 0},
+                  elbow_at(angle));
+}
+
+float least_that_bears(const Setting& s, const Balls& at) {
+    Heights heights;
+    find_heights(s.below, at, heights.data());
+    float least = 1e3f;
+    for (int k = 0; k < k_ball_count; ++k) {
+        const auto ball = static_cast<size_t>(k);
+        if (bears(k)) least = std::min(least, clear_of(s.below, s.segments, k, at[ball], heights[ball]));
+    }
+    return least;
 }
 
 }  // namespace
 
-bool settle(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
-            const Surroundings& around, float floor, const Rests& rests, float& raised, float dt) {
+float air_below(const BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
+                const Surroundings& around, float floor) {
+    const Balls at = balls_of(pose, segments, person, lane);
+    GroundBelow below = ground_below(around, floor, at);
+    below.unseen = k_unseen;
+    return std::max(least_that_bears({segments, person, lane, below}, at), 0.0f);
+}
+
+bool settle(BodyPose& pose, const BodyPose& before, const Segments& segments, const PersonBlock& person,
+            int lane, const Surroundings& around, float floor, const Rests& rests, float& raised, float dt) {
     const Balls first = balls_of(pose, segments, person, lane);
-    const GroundBelow below = ground_below(around, floor, first);
+    GroundBelow below = ground_below(around, floor, first);
+    below.unseen = k_unseen * (1 - rests.sees_steps);
     const Setting s{segments, person, lane, below};
-    Heights heights;
-    find_heights(below, first, heights.data());
-    float least = 1e3f;
-    for (int k = 0; k < k_ball_count; ++k) {
-        const size_t ball = static_cast<size_t>(k);
-        if (bears(k)) least = std::min(least, clear_of(below, segments, k, first[ball], heights[ball]));
-    }
+    const float least = least_that_bears(s, first);
     pose.hips.y -= rests.may_sink ? least : std::min(least, 0.0f);
     plant(s, pose, k_left, rests.left_foot);
-    for (const Side side : {k_left, k_right}) lift_leg(s, pose, side, rests.keeps_feet);
-    for (const Side side : {k_left, k_right}) set_hand(s, pose, side, rests);
-    const float deep = std::max(-s.least(s.balls(pose), 0, k_ball_count), 0.0f);
-    raised = std::max(deep, raised - k_sinks * dt);
+    for (const Side side : {k_left, k_right}) {
+        lift_leg(s, pose, side, rests.keeps_feet);
+        swing_leg(s, pose, before, side);
+    }
+    const float most = raised + k_rises * dt;
+    auto rise_out_of = [&](std::initializer_list<BallRange> parts) {
+        const Balls at = s.balls(pose);
+        float deep = 0;
+        for (const BallRange& part : parts) deep = std::max(deep, -s.least(at, part.first, part.count));
+        const float rises = clamp(most - raised, 0, deep);
+        raised += rises;
+        pose.hips.y += rises;
+    };
+    raised = std::max(raised - k_sinks * dt, 0.0f);
     pose.hips.y += raised;
+    rise_out_of({k_trunk, k_left_leg, k_right_leg});
+    for (const Side side : {k_left, k_right}) {
+        set_hand(s, pose, side, rests);
+        swing_arm(s, pose, before, side);
+    }
+    rise_out_of({k_left_arm, k_right_arm});
     if (raised > 1e-3f) plant(s, pose, k_left, rests.left_foot);
     return !below.has_steps;
+}
+
+std::array<float, 2> palms_above(const BodyPose& pose, const Segments& segments, const PersonBlock& person,
+                                 int lane) {
+    const Balls at = balls_of(pose, segments, person, lane);
+    auto low = [&](int k) { return at[static_cast<size_t>(k)].y - segments.radius[static_cast<size_t>(k)]; };
+    float lowest = 1e6f;
+    for (int k = 0; k < k_ball_count; ++k)
+        if (bears(k)) lowest = std::min(lowest, low(k));
+    return {std::max(low(k_palm_of[k_left]) - lowest, 0.0f),
+            std::max(low(k_palm_of[k_right]) - lowest, 0.0f)};
 }
 
 void keep_off_walls(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
