@@ -278,7 +278,7 @@ PoseNeeds pose_needs(const Renderer& renderer, const Camera& camera, const Sun& 
                      uint32_t height) {
     const std::vector<PersonRanges>& people = renderer.scene.people;
     const bool has_impostors = std::all_of(people.begin(), people.end(), [](const PersonRanges& person) {
-        return person.first_cell != PersonRanges::k_no_cell;
+        return person.is_thing || person.first_cell != PersonRanges::k_no_cell;
     });
     // A little less than where the last meshes and spots go, for sums are rounded.
     const float least = std::min(renderer.scene.impostors.pixels * (1 - k_turns), k_least_contact) * 0.99f;

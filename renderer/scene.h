@@ -85,6 +85,7 @@ struct PersonMesh {
     // WalkerDraw::centre, facing +z: a walk at phases 0, 1/8 .. 7/8, then standing. Empty: the mesh has no
     // impostors, and its coarsest level is drawn however far away.
     std::vector<JointTransform> strides;
+    bool is_thing = false;  // no person, and never WalkerDraw::is_upright
 };
 
 // What street lamps and shop windows give at night, seen from above.

@@ -190,6 +190,7 @@ Result<void> bake_impostors(const Device& device, const Pipelines& pipelines, co
     std::vector<DrawCommand> draws;
     for (size_t i = 0; i < meshes.people.size(); ++i) {
         const PersonMesh& mesh = meshes.people[i];
+        scene.people[i].is_thing = mesh.is_thing;
         if (grid.height == 0 || !is_baked(mesh)) continue;
         const std::vector<glm::vec4> boxes = find_boxes(mesh, grid);
         if (boxes.empty()) continue;

@@ -23,6 +23,7 @@ struct PersonRanges {
     glm::vec3 soles[2] =
         {};  // middles of the left and right sole in the bind pose, moved by k_left_foot, k_right_foot
     uint32_t first_cell = k_no_cell;  // of its k_person_cells impostors
+    bool is_thing = false;            // see PersonMesh
     static constexpr uint32_t k_no_cell = ~0u;
 };
 

@@ -142,6 +142,7 @@ static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
                                        random_unit(key, t * 3), random_unit(key, t * 3 + 1),
                                        random_unit(key, t * 3 + 2));
         if (!are_joined(mesh, here.polygon, p.polygon, by_of(c, i))) continue;
+        if (minds_lamps(c.kerbs) && surface_of(mesh, p.polygon) == Surface::crossing) continue;
         float d = length(on_ground(p.position - c.motion.position[i]));
         if (d <= farthest) continue;
         farthest = d;

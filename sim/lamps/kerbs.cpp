@@ -77,6 +77,7 @@ KerbAhead kerb_ahead(const KerbMap& map, const PathGoer& goer, const KerbWait& w
     constexpr float k_steps_back = 0.8f;   // metres beyond the kerb
     constexpr float k_mostly_over = 0.5f;  // cosine
     KerbAhead out;
+    bool is_on_one = false;
     if (goer.path.empty()) return out;
     for (const uint32_t number : crossings_near(map.grid, on_ground(goer.at))) {
         const Crossing& crossing = map.crossings.all[number];
@@ -92,6 +93,7 @@ KerbAhead kerb_ahead(const KerbMap& map, const PathGoer& goer, const KerbWait& w
             out.has_begun = true;
         } else if (inside > k_over) {
             if (std::fabs(at.aside) > crossing.half_width + k_kerb_margin) continue;
+            is_on_one |= std::fabs(at.aside) < crossing.half_width;
             // Others only pass there, a step off the pavement.
             const Vec2 way = normalize_or(on_ground(goer.path[0] - goer.at), {0, 0});
             const float over = dot(way, crossing.across);
@@ -102,7 +104,8 @@ KerbAhead kerb_ahead(const KerbMap& map, const PathGoer& goer, const KerbWait& w
             look_at_kerb(crossing, nearest, goer, out);
         }
     }
-    if (out.far > k_minds) out.kerb = k_no_kerb;
+    // Nobody waits on a carriageway for the next lamp.
+    if (out.far > k_minds || (is_on_one && !out.has_begun)) out.kerb = k_no_kerb;
     return out;
 }
 

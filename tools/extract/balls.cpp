@@ -18,6 +18,7 @@ PersonMesh extract_ball() {
     constexpr uint32_t k_leather = rgb(0x8a4b2f), k_band = rgb(0xd9c7a0), k_cap = rgb(0x5d3221);
     PersonMesh mesh;
     mesh.lods.resize(1);
+    mesh.is_thing = true;
     std::vector<TurnedRing> rings;
     for (int n = 0; n <= k_rings; ++n) {
         const SinCos at = sin_cos(k_pi * static_cast<float>(n) / k_rings);

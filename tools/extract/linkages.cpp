@@ -72,7 +72,10 @@ std::vector<PersonMesh> extract_linkages(const Linkages& linkages) {
     for (size_t i = 0; i < linkages.all.size(); ++i) {
         const Linkage& f = linkages.all[i];
         for (size_t p = 0; p < part_count(f); ++p) {
-            if (p % k_palette_joints == 0) meshes.emplace_back().lods.resize(1);
+            if (p % k_palette_joints == 0) {
+                meshes.emplace_back().lods.resize(1);
+                meshes.back().is_thing = true;
+            }
             add_part(meshes.back(), f, part_of(f, p), k_colours[i % std::size(k_colours)],
                      static_cast<uint8_t>(p % k_palette_joints));
         }

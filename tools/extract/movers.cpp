@@ -99,6 +99,7 @@ std::vector<PersonMesh> extract_movers(const Movers& movers) {
     for (size_t i = 0; i < meshes.size(); ++i) {
         PersonMesh& mesh = meshes[i];
         mesh.lods.resize(1);
+        mesh.is_thing = true;
         for (const MoverSolid& solid : movers.all[i].solids) {
             const size_t first = mesh.vertices.size();
             const uint32_t colour = shaded(k_colours[static_cast<size_t>(solid.matter)], solid.shade);
