@@ -64,6 +64,10 @@ enum class BuiltIn : uint8_t {
 };
 inline constexpr std::string_view k_built_in_names[] = {
     "district", "asteroid", "platform", "field", "gallery", "planets", "quayside", "yard", "course"};
+// Where nobody says how many walk.
+constexpr int usual_walkers(BuiltIn place) {
+    return place == BuiltIn::course ? k_course_walkers : place == BuiltIn::yard ? k_yard_walkers : 500;
+}
 // Of a scene whose platform nobody has laid out.
 inline const std::vector<Vec2> k_usual_platform{{-6.9f, -9}, {10.1f, -2.8f}, {6.9f, 9}, {-10.1f, 2.8f}};
 
@@ -86,17 +90,16 @@ struct Scene {
     std::vector<PlannedPush> pushes;  // that people get
     std::vector<PlannedThrow> balls;  // that are thrown at them
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
-    int walkers = 500;                // 0..1,000,000
-    bool says_how_many = false;       // else there are as many as usual, or as surely find room
-    int creatures = 0;                // 0..100, of six legs, among people
-    Habit habit = Habit::wander;      // what they do; they stagger on a platform only
-    LimbLead limbs = LimbLead::gait;  // what leads theirs; curves only of those who ramble
-    float drunk = 0;                  // 0..1, see WorldOptions,
-    int steppers = 0;                 // of the walkers, who step when they must, along
-    std::vector<Vec2> steppers_way;   // this closed line, metres; of two places, there and back
-    int drunks = 0;                   // and there; 0: all are so drunk
-    float helpers = k_usual_helpers;  // the same
-    bool lamps = false;               // whether traffic lights work and people mind them
+    int walkers = usual_walkers(BuiltIn::district);  // 0..1,000,000
+    int creatures = 0;                               // 0..100, of six legs, among people
+    Habit habit = Habit::wander;                     // what they do; they stagger on a platform only
+    LimbLead limbs = LimbLead::gait;                 // what leads theirs; curves only of those who ramble
+    float drunk = 0;                                 // 0..1, see WorldOptions,
+    int steppers = 0;                                // of the walkers, who step when they must, along
+    std::vector<Vec2> steppers_way;         // this closed line, metres; of two places, there and back
+    int drunks = 0;                         // and there; 0: all are so drunk
+    float helpers = k_usual_helpers;        // the same
+    bool lamps = false;                     // whether traffic lights work and people mind them
     float jaywalkers = k_usual_jaywalkers;  // see WorldOptions
     bool flat = false;                      // of a course: all in one plane, seen from the side
     std::optional<Vec3> look;               // of a course: where all look who can turn their heads there

@@ -227,14 +227,18 @@ void shove(World& w, uint32_t walker, Vec2 change) {
 }
 
 bool can_fall(const World& w, uint32_t walker) {
-    constexpr float k_steep = 0.5f, k_tread = 0.2f;  // metres up or down for each metre away, and at once
+    // Metres up and down for each metre away, and at once.
+    constexpr float k_steep = 0.5f, k_drops = 0.3f, k_tread = 0.2f;
+    if (!is_on_course(w)) return true;  // the mesh holds it
     const Vec3 at = w.crowd.motion.position[walker];
     if (mover_below(w.movers, at, 0.3f, 0.3f)) return false;
     for (const float away : {0.35f, 0.7f, 1.1f})
         for (int k = 0; k < 8; ++k) {
             const Vec2 way = heading_direction(k_pi / 4 * static_cast<float>(k)) * away;
             const auto hit = ground_at(*w.stepping->ground, at + at_height(way, 0), 1, 1);
-            if (!hit || std::fabs(hit->height - at.y) > k_tread + k_steep * away) return false;
+            if (!hit || hit->height > at.y + k_tread + k_steep * away ||
+                hit->height < at.y - k_tread - k_drops * away)
+                return false;
         }
     return true;
 }

@@ -399,9 +399,7 @@ std::vector<SceneFault> read_scene(std::string_view text, Scene& scene) {
     read_keys(r, scene_keys(), "a scene", json, scene);
     if (scene.built != BuiltIn::district && !json.contains("camera"))
         scene.camera.kind = CameraChoice::Kind::overview;
-    scene.says_how_many = json.contains("walkers");
-    if (!scene.says_how_many && scene.built == BuiltIn::course) scene.walkers = k_course_walkers;
-    if (!scene.says_how_many && scene.built == BuiltIn::yard) scene.walkers = k_yard_walkers;
+    if (!json.contains("walkers")) scene.walkers = usual_walkers(scene.built);
     for (const SceneClash& clash : scene_clashes()) {
         if (!r.faults.empty() || !clash.is_there(scene, json)) continue;
         r.path = {clash.key};

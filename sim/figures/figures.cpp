@@ -37,20 +37,28 @@ Manner manner_of(const FigurePlan& plan) {
 
 // Of a wish only what leads neither off the ground, nor into a wall or another figure.
 Vec2 kept_off(const Troupe& f, size_t figure, Vec2 wish) {
-    constexpr float k_radius = 0.3f, k_chest = 1, k_ahead_of_edge = 0.35f, k_step = 0.25f;  // metres
+    constexpr float k_radius = 0.3f, k_apart = 0.75f, k_chest = 1, k_ahead_of_edge = 0.35f,
+                    k_step = 0.25f;   // metres
+    constexpr float k_stops = 0.35f;  // s2/m, half the inverse of how it brakes
     const Vec3 here = f.moves[figure].position;
     auto keep = [&](Vec2 out) { wish -= out * std::min(dot(wish, out), 0.0f); };
     if (const auto wall = closest_wall(*f.ground, here + Vec3{0, k_chest, 0}, k_radius))
         keep(on_ground(wall->normal));
+    const Vec2 goes = f.moves[figure].motion.velocity;
     for (size_t i = 0; i < f.moves.size(); ++i) {
-        const Vec2 away = on_ground(here - f.moves[i].position);
-        if (i != figure && length(away) < 2 * k_radius) keep(normalize_or(away, {0, 1}));
+        const Vec2 away = on_ground(here - f.moves[i].position), out = normalize_or(away, {0, 1});
+        const float nears = std::max(-dot(goes, out), 0.0f);
+        if (i != figure && length(away) < k_apart + k_stops * nears * nears) keep(out);
     }
-    const float speed = length(wish);
-    if (speed < 1e-3f) return wish;
-    const auto next =
-        ground_at(*f.ground, here + at_height(wish * (k_ahead_of_edge / speed), 0), k_step, k_step);
-    return next ? wish : Vec2{};
+    // As far as it comes before it stands.
+    auto is_ground = [&](Vec2 way) {
+        const float speed = length(way), far = k_ahead_of_edge + k_stops * speed * speed;
+        if (speed < 1e-3f) return true;
+        for (float on = far; on > 0; on -= k_step)
+            if (!ground_at(*f.ground, here + at_height(way * (on / speed), 0), far, far)) return false;
+        return true;
+    };
+    return is_ground(wish) && is_ground(goes + wish * k_tick) ? wish : Vec2{};
 }
 
 // One tick of where it goes.

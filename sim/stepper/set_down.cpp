@@ -104,6 +104,26 @@ SetDown make_bipeds(std::vector<BipedWay> ways, std::span<const uint32_t> walker
     return made;
 }
 
+// Metres along a way of its nearest place to which one comes straight on level ground from where one stands,
+// or else of the nearest.
+static float way_back(const BipedWay& way, const Ground& ground, Vec3 from) {
+    constexpr float k_apart = 0.25f, k_level = 0.2f;  // metres
+    auto is_level = [&](Vec2 place) {
+        const auto hit = ground_at(ground, at_height(place, from.y), k_level, k_level);
+        return hit && is_walked(hit->kind);
+    };
+    float best = nearest_along(way, on_ground(from)), least = 1e9f;
+    for (float along = 0; along < way.along.back(); along += k_apart) {
+        const Vec2 to = point_on(way, along).place - on_ground(from);
+        const float far = length(to);
+        bool is_clear = far < least;
+        for (float on = far; is_clear && on > 0; on -= k_apart)
+            is_clear = is_level(on_ground(from) + to * (on / far));
+        if (is_clear) least = far, best = along;
+    }
+    return best;
+}
+
 void go_on_standing(Bipeds& bipeds, size_t i, Vec2 body, float heading, const MovingGround& ground,
                     Gait& gait, uint32_t tick) {
     const Surroundings around = surroundings_of(ground);
@@ -112,7 +132,7 @@ void go_on_standing(Bipeds& bipeds, size_t i, Vec2 body, float heading, const Mo
     const Own o = own_of(bipeds, i, gait, on);
     b.is_down = 0;
     b.body = b.point = body;
-    b.along = nearest_along(bipeds.ways[b.way], body);
+    b.along = way_back(bipeds.ways[b.way], *ground.ground, at_height(body, o.g.base[o.lane]));
     b.aside = 0;
     b.heading = heading;
     b.ahead = heading_direction(heading);

@@ -55,6 +55,8 @@ float gap_ahead(const Own& o) {
         if (i == o.number || all.all[i].way != o.b.way || i == all.orders.driven || all.all[i].is_down)
             continue;
         float ahead = all.was_along[i] - all.was_along[o.number];
+        // Of two in one place the first goes on.
+        if (ahead == 0 && i > o.number) continue;
         ahead -= whole * std::floor(ahead / whole);
         // From the point to the body ahead.
         const float gap = ahead - all.was_lead[i];

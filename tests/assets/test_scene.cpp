@@ -189,7 +189,7 @@ TEST_F(SceneFile, IsRefusedInAShortSentenceHoweverDeepOrLong) {
     }
     Result<Scene> scene = load(scene_of(longest, "1"));
     ASSERT_FALSE(scene);
-    EXPECT_LT(scene.error().message.size(), (folder / "mine.json").size() + 450u);
+    EXPECT_LT(scene.error().message.size(), (folder / "mine.json").size() + 520u);
     scene = load(R"({"\u001b[31mred\n": 1})");
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().message.find_first_of("\x1b\n"), std::string::npos) << scene.error().message;

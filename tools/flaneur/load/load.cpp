@@ -330,8 +330,10 @@ static void spare_course(std::vector<Kind>& kinds) {
 Result<Loaded> load(const Options& options) {
     FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
-    if (!scene.says_how_many && (is_of(scene, BuiltIn::course) || is_of(scene, BuiltIn::yard)))
-        say("Nobody said how many walk: " + std::to_string(scene.walkers) + ", as many as surely find room.");
+    if (usual_walkers(scene.built) != usual_walkers(BuiltIn::district) &&
+        scene.walkers == usual_walkers(scene.built))
+        say(std::to_string(scene.walkers) +
+            " walkers, as many as surely find room here; --walkers says how many.");
     Loaded loaded;
     std::optional<SmallWorld> round;
     if (is_small_world(scene)) {

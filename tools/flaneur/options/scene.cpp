@@ -183,11 +183,12 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (words.city) {
         if (is_small_world(options.scene)) options.scene.creatures = 0;
         options.scene.city = *words.city;
+        if (options.scene.walkers == usual_walkers(options.scene.built))
+            options.scene.walkers = usual_walkers(BuiltIn::district);
         options.scene.built = BuiltIn::district;
         options.scene.platform.clear();
         options.scene.rock.clear();
         options.scene.flat = false;
-        if (!options.scene.says_how_many) options.scene.walkers = Scene{}.walkers;
         options.scene.look = std::nullopt;
         if (options.scene.habit == Habit::stagger) options.scene.habit = Habit::wander;
         // What is said of the scene's own city.
@@ -222,7 +223,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!words.people.empty()) options.scene.people = words.people;
     if (!words.idles.empty()) options.scene.idles = words.idles;
     options.inputs = {words.scene, options.file, options.camera_path};
-    if (words.walkers) options.scene.walkers = *words.walkers, options.scene.says_how_many = true;
+    if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
     if (words.hour) {
         options.scene.hour = *words.hour;
