@@ -154,7 +154,8 @@ Result<void> set_on_ways(World& w, StepCourse course, std::vector<uint32_t> who)
         make_bipeds(std::move(ways), who, likes, course.is_flat, stepping->moving, w.gait, w.seed, others);
     if (made.placed < likes.size())
         return Error{"Only " + std::to_string(made.placed) + " of " + std::to_string(likes.size()) +
-                     " walkers find room on the course; ask for fewer."};
+                     " walkers find room on the " + (stepping->is_everybody ? "course" : "way") +
+                     "; ask for fewer."};
     stepping->bipeds = std::move(made.bipeds);
     w.stepping = std::move(stepping);
     for (const uint32_t i : who) go_by_way(w.crowd, {.walker = i, .kind = Wayfarer::Kind::is_led});
@@ -186,9 +187,7 @@ Result<void> let_step(World& w, uint32_t count, std::vector<std::vector<Vec2>> w
             w.crowd.journeys[i].errand != Errand::by_way && !is_creature(w.herd, i))
             who.push_back(i);
     }
-    if (who.size() < count)
-        return Error{"Only " + std::to_string(who.size()) + " of " + std::to_string(count) +
-                     " walkers could step along a way; ask for fewer, or for more walkers."};
+    if (who.empty()) return {};
     StepCourse course;
     course.ground = w.ground;
     course.ways = std::move(ways);

@@ -34,7 +34,8 @@ Result<void> set_on_course(World& world, StepCourse course);
 // The course that they are on.
 StepCourse course_of(const World& world);
 // Of a crowd, lets so many go along closed lines on the world's own ground: the first who have both hands
-// free and neither stagger nor are children below 10. Refuses more than there are, or than find room.
+// free and neither stagger nor are children below 10, fewer where there are fewer. Refuses more than find
+// room.
 Result<void> let_step(World& world, uint32_t count, std::vector<std::vector<Vec2>> ways);
 
 // One tick of them, after the crowd has moved; who is down is left where it lies. Who is driven (sim.h) is so

@@ -80,6 +80,20 @@ static bool is_free(const CrowdMotion& m, uint32_t count, uint32_t walker, Vec3 
 }
 
 // Those who stagger there alone begin on the platform, where there is room.
+// Who staggers pushes no pram: is like the first who pushes none.
+static void take_prams_from_drunks(World& w) {
+    CrowdIdentity& who = w.crowd.identity;
+    const auto plain = std::ranges::find(who.ahead, 0.0f);
+    if (plain == who.ahead.end()) return;
+    const auto from = static_cast<size_t>(plain - who.ahead.begin());
+    for (uint32_t i = 0; i < w.drunks; ++i) {
+        if (who.ahead[i] == 0) continue;
+        auto copy = [&](auto&... rows) { ((rows[i] = rows[from]), ...); };
+        copy(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead,
+             who.room, who.patience, who.linger);
+    }
+}
+
 static void put_drunks_on_platform(World& w) {
     const Result<Platform> platform = make_platform(w.platform);
     if (!platform) return;         // let_stagger() says why
@@ -187,6 +201,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
     world->crowd.pass_on = options.pass_on;
+    take_prams_from_drunks(*world);
     put_drunks_on_platform(*world);
     mind_lamps(*world, options.crossings);
     world->coming.sendings = options.sendings;

@@ -163,13 +163,15 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return both({key}, {{"steppers", {{"maximum", 0}}}});
      }},
-    {"steppers", R"("steppers" are some of a city's; on a course everybody is, and on small worlds nobody)",
+    {"steppers",
+     R"("steppers" are some of a city's people, and "built" says a place that is none or has ways of its own)",
      [](const Scene& s, const Json&) {
-         return s.steppers > 0 && (is_round(s) || s.built == BuiltIn::course);
+         return s.steppers > 0 && (is_round(s) || s.built >= BuiltIn::yard || s.built == BuiltIn::gallery);
      },
      [](const char* key) {
          return both({"built", key},
-                     {{"built", {{"enum", {"asteroid", "planets", "course"}}}}, {key, {{"minimum", 1}}}});
+                     {{"built", {{"enum", {"asteroid", "planets", "gallery", "yard", "course"}}}},
+                      {key, {{"minimum", 1}}}});
      }},
     {"drunks", R"("drunks" are as drunk as "drunk" says; without it nobody staggers)",
      [](const Scene& s, const Json&) { return s.drunks > 0 && s.drunk == 0; },

@@ -39,6 +39,7 @@ Manner manner_of(const FigurePlan& plan) {
 Vec2 kept_off(const Troupe& f, size_t figure, Vec2 wish) {
     constexpr float k_radius = 0.3f, k_apart = 0.75f, k_chest = 1, k_ahead_of_edge = 0.35f,
                     k_step = 0.25f;   // metres
+    constexpr float k_parts = 6;      // 1/s
     constexpr float k_stops = 0.35f;  // s2/m, half the inverse of how it brakes
     const Vec3 here = f.moves[figure].position;
     auto keep = [&](Vec2 out) { wish -= out * std::min(dot(wish, out), 0.0f); };
@@ -48,7 +49,11 @@ Vec2 kept_off(const Troupe& f, size_t figure, Vec2 wish) {
     for (size_t i = 0; i < f.moves.size(); ++i) {
         const Vec2 away = on_ground(here - f.moves[i].position), out = normalize_or(away, {0, 1});
         const float nears = std::max(-dot(goes, out), 0.0f);
-        if (i != figure && length(away) < k_apart + k_stops * nears * nears) keep(out);
+        const float too_near = k_apart + k_stops * nears * nears - length(away);
+        if (i == figure || too_near < 0) continue;
+        keep(out);
+        // It turns slowly: whoever sets off beside somebody first makes room.
+        if (wish != Vec2{}) wish += out * (k_parts * too_near);
     }
     // As far as it comes before it stands.
     auto is_ground = [&](Vec2 way) {

@@ -34,7 +34,7 @@ Asked asked_of(GLFWwindow* window) {
     asked.way = {held(GLFW_KEY_D, GLFW_KEY_RIGHT) - held(GLFW_KEY_A, GLFW_KEY_LEFT),
                  held(GLFW_KEY_W, GLFW_KEY_UP) - held(GLFW_KEY_S, GLFW_KEY_DOWN)};
     asked.runs = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) > 0;
-    asked.creeps = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT) > 0;
+    asked.creeps = glfwGetKey(window, GLFW_KEY_Q) == GLFW_PRESS;
     GLFWgamepadstate pad;
     if (glfwGetGamepadState(GLFW_JOYSTICK_1, &pad) == GLFW_TRUE) {
         const Vec2 stick{pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X], -pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]};
@@ -107,8 +107,14 @@ void drive_figure(Show& show, Viewer& v) {
     if (next == end) return tell(v, "Bodies that key poses make walk in the scene ik-gallery.");
     let_go(world.crowd);
     lead_figure(figures, static_cast<uint32_t>(next - begin));
+    // From where the eye is, but near.
+    constexpr float k_away = 6.5f, k_high = 2.4f, k_breast = 1;  // metres
+    const Vec3 at = figures.moves[figures.lead.figure].position;
+    const Vec2 from = normalize_or(Vec2{v.camera.eye.x - at.x, v.camera.eye.z - at.z}, {0, 1}) * k_away;
+    choose(v, CameraChoice{CameraChoice::Kind::fixed, v.choice.walker, at + at_height(from, k_high),
+                           at + Vec3{0, k_breast, 0}});
     v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
-    tell(v, next->name + ": arrows or W A S D walk, Shift runs, Alt creeps, Space leaps, Esc lets it go.");
+    tell(v, next->name + ": arrows or W A S D walk, Shift runs, Q creeps, Space leaps, Esc lets it go.");
 }
 
 void drive_asked(Show& show, Viewer& v) {

@@ -244,11 +244,14 @@ void later(Show& show, Viewer& v, float hours) {
     set_hour_wanted(show, v, std::fmod(minutes, 24 * 60.0f) / 60, 0);
 }
 
-void more_people(Viewer& v, float times) {
+void more_people(const Show& show, Viewer& v, float times) {
+    const World& world = *show.loaded.world;
+    if (world.roam || is_on_course(world)) return tell(v, "Nobody comes here from elsewhere.");
     const auto people = static_cast<float>(current(v.change.designs).people);
-    set_people(
-        v, static_cast<int>(std::round(times > 1 ? std::max(people * times, people + 1) : people * times)),
-        0);
+    const auto wanted =
+        static_cast<int>(std::round(times > 1 ? std::max(people * times, people + 1) : people * times));
+    const int most = is_of(v.change.scene, BuiltIn::yard) ? k_yard_walkers : k_max_walkers;
+    set_people(v, std::min(wanted, most), 0);
 }
 
 constexpr std::array k_actions = {
@@ -258,8 +261,8 @@ constexpr std::array k_actions = {
     Action{"An hour earlier", "", 0, 0, [](Show& show, Viewer& v) { later(show, v, -1); }},
     Action{"Weather: clear", "", 0, 0, [](Show&, Viewer& v) { set_weather(v, false); }},
     Action{"Weather: overcast", "", 0, 0, [](Show&, Viewer& v) { set_weather(v, true); }},
-    Action{"Twice as many people", "", 0, 0, [](Show&, Viewer& v) { more_people(v, 2); }},
-    Action{"Half as many people", "", 0, 0, [](Show&, Viewer& v) { more_people(v, 0.5f); }},
+    Action{"Twice as many people", "", 0, 0, [](Show& show, Viewer& v) { more_people(show, v, 2); }},
+    Action{"Half as many people", "", 0, 0, [](Show& show, Viewer& v) { more_people(show, v, 0.5f); }},
     Action{"Close a street by a barrier", "", 0, 0, take_tool<AddedKind::barrier>},
     Action{"Draw a wall", "", 0, 0, take_tool<AddedKind::wall>},
     Action{"Put down a planter", "", 0, 0, take_tool<AddedKind::planter>},

@@ -22,7 +22,7 @@ namespace {
 
 constexpr float k_far = 200;  // metres that a pointer reaches
 
-bool steps(const Show& show) { return show.loaded.world->stepping != nullptr; }
+bool steps(const Show& show) { return is_on_course(*show.loaded.world); }
 
 void tell_of_course(Viewer& v) { tell(v, "That is for those on a course: see the scene stepper."); }
 
@@ -58,9 +58,8 @@ std::optional<Vec3> place_under(const World& world, const Camera& camera, Size s
 }
 
 bool is_led_by_pointer(const Show& show) {
-    if (!steps(show)) return false;
-    const BipedOrders& orders = show.loaded.world->stepping->orders[0];
-    return orders.looks != 0 || orders.has_goal != 0;
+    // Heads alone change nothing that comes after.
+    return steps(show) && show.loaded.world->stepping->orders[0].has_goal != 0;
 }
 
 void follow_pointer(Show& show, const Mouse& mouse, Size size, bool is_elsewhere, Viewer& v) {
