@@ -157,9 +157,8 @@ void move_root(World& w, uint32_t walker, Vec2 to, float up) {
     CrowdMotion& m = w.crowd.motion;
     const NavPoint from{m.position[walker], m.polygon[walker]};
     const Vec3 there = at_height(to, from.position.y);
-    const NavPoint end = is_on_course(w)
-                             ? NavPoint{there, from.polygon}  // to where there may be no mesh
-                             : move_along(*w.navmesh, 0, from, there, by_of(w.crowd, walker));
+    const NavPoint end = is_on_course(w) ? NavPoint{there, from.polygon}  // to where there may be no mesh
+                                         : move_along(*w.navmesh, 0, from, there, by_of(w.crowd, walker));
     m.position[walker] = end.position;
     m.polygon[walker] = end.polygon;
     if (const auto hit = ground_at(w.around, end.position, up, 1.5f)) {

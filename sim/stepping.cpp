@@ -143,8 +143,10 @@ Result<void> set_on_ways(World& w, StepCourse course, std::vector<uint32_t> who)
     stepping->ways = course.ways;
     stepping->is_everybody = who.size() == w.crowd.count;
     std::vector<BipedWay> ways;
+    ways.reserve(course.ways.size());
     for (std::vector<Vec2>& line : course.ways) ways.push_back(make_way(std::move(line)));
     std::vector<float> likes;
+    likes.reserve(who.size());
     for (const uint32_t i : who) likes.push_back(k_careful * w.crowd.identity.preferred_speed[i]);
     std::vector<Vec2> others;
     for (const WalkerId id : w.crowd.slots.living)

@@ -10,11 +10,11 @@ namespace flaneur {
 namespace {
 
 constexpr float k_bounce = 0.4f, k_off_people = 0.25f;  // of the speed, from ground and from bodies
-constexpr float k_least_bounce = 0.6f;                   // m/s, slower ones stay on the ground
-constexpr float k_slips = 0.25f;                         // of the speed along it, lost in a bounce
-constexpr float k_rolls = 0.35f;                         // m/s2, lost in rolling
-constexpr float k_air = 0.02f;                           // 1/s
-constexpr float k_steps_up = 0.05f;                      // metres below its middle that it rolls over
+constexpr float k_least_bounce = 0.6f;                  // m/s, slower ones stay on the ground
+constexpr float k_slips = 0.25f;                        // of the speed along it, lost in a bounce
+constexpr float k_rolls = 0.35f;                        // m/s2, lost in rolling
+constexpr float k_air = 0.02f;                          // 1/s
+constexpr float k_steps_up = 0.05f;                     // metres below its middle that it rolls over
 
 void bounce(Ball& b, Vec3 normal) {
     const float in = dot(b.velocity, normal);

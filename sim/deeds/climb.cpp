@@ -138,7 +138,7 @@ void reach_over(BodyPose& pose, Someone who, Side side, const Climbing& c, const
     BodyPose leans = pose;
     reach_for(leans, who, side, wanted, elbow, 1);
     float deep = 0;
-    for (const Ball& ball : arm_balls(leans, who, side))
+    for (const BodyBall& ball : arm_balls(leans, who, side))
         if (ball.of == left_hand || ball.of == right_hand)
             deep = std::max(deep, c.over.foot.y + c.wall->height - ball.at.y + ball.radius - k_soft);
     Palm palm = wanted;

@@ -59,13 +59,13 @@ void for_each_ball(const Deeds& d, size_t i, const Frame& f, Side holds, const E
     const BodyPose last = body_pose_of(d.poses, i);
     const Someone who = someone(d, i);
     const Vec2 by = d.doers[i].motion.velocity * k_tick;
-    auto see = [&](const Ball& ball) { each(f.own(on_ground(ball.at) + by), ball.radius); };
+    auto see = [&](const BodyBall& ball) { each(f.own(on_ground(ball.at) + by), ball.radius); };
     for (const Side side : {k_left, k_right}) {
-        for (const Ball& ball : leg_balls(last, who, side)) see(ball);
+        for (const BodyBall& ball : leg_balls(last, who, side)) see(ball);
         if (side == holds) continue;
-        for (const Ball& ball : arm_balls(last, who, side)) see(ball);
+        for (const BodyBall& ball : arm_balls(last, who, side)) see(ball);
     }
-    for (const Ball& ball : trunk_balls(last, who)) see(ball);
+    for (const BodyBall& ball : trunk_balls(last, who)) see(ball);
 }
 
 // The angle that lets a body by which is on the side to which the leaf closes, the foot in the air where it

@@ -110,8 +110,8 @@ inline constexpr float k_all_room = 1e9f;  // Bipeds::room where nobody else is
 
 // Set down along their ways, in turns, where both feet find still ground. Of the gait they have those
 // `walkers`, ascending, whose feet are placed anew, and not where `others` stand; `likes` are their speeds,
-// m/s. Where not all find room, `placed` is how many do when no more are asked for, and `bipeds` are not to be
-// used.
+// m/s. Where not all find room, `placed` is how many do when no more are asked for, and `bipeds` are not to
+// be used.
 struct SetDown {
     Bipeds bipeds;
     size_t placed = 0;

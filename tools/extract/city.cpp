@@ -388,7 +388,8 @@ glm::vec2 timing_of(const LampPlan& plan, PropPart lens) {
     if (lens == PropPart::drive_amber) from = plan.drive_ends, until = stops;
     if (lens == PropPart::drive_red) from = stops, until = plan.drive;
     auto steps = [](uint32_t low, uint32_t high) {
-        return static_cast<float>(low / k_lamp_ticks) + static_cast<float>(high / k_lamp_ticks) * k_lens_unit;
+        const uint32_t first = low / k_lamp_ticks, last = high / k_lamp_ticks;
+        return static_cast<float>(first) + static_cast<float>(last) * k_lens_unit;
     };
     return {steps(plan.shift, plan.cycle), steps(from, until)};
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tests/sim/allocations.h"
 #include "sim/ball/ball.h"
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
@@ -12,6 +11,7 @@
 #include "sim/fields.h"
 #include "sim/state.h"
 #include "sim/world.h"
+#include "tests/sim/allocations.h"
 #include "tests/sim/small_grounds.h"
 
 namespace flaneur {

@@ -173,7 +173,8 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     frame.grounds = show.people.grounds;
     frame.is_overcast = show.is_overcast;
     frame.lit_windows = show.lit_windows;
-    frame.lens_time = static_cast<float>(world.tick / k_lamp_ticks);
+    const uint32_t lens_ticks = world.tick / k_lamp_ticks;
+    frame.lens_time = static_cast<float>(lens_ticks);
     const Camera close = close_camera(camera);
     lay_over({*show.loaded.world, show.loaded.characters, close, between,
               show.draws_whole ? nullptr : &show.without},
