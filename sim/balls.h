@@ -18,9 +18,9 @@ struct Balls {
 
 // Before ticks that throw some, which then allocate nothing.
 void make_room_for_balls(World& world);
-// See throw_ball() in sim/sim.h; of k_most_balls the oldest is gone.
-// A tick: those that are due are thrown, all go on, and whom they hit is pushed as much the more as he is hit
-// higher: at the feet hardly, at the chest with all that the ball gives.
+// A tick: those that are due are thrown (throw_ball() in sim/sim.h; beyond k_most_balls the oldest is gone),
+// all go on, and whom they hit is pushed as much the more as he is hit higher: at the feet hardly, at the
+// chest with all that the ball gives.
 void step_balls(World& world);
 
 uint64_t hash_balls(const Balls& balls);

@@ -41,13 +41,9 @@ void sway_pose(BodyPose& pose, Vec2 lean) {
     if (angle < 1e-5f) return;
     const Vec2 way = lean / angle;
     const Vec3 axis{way.z, 0, -way.x};  // up turns towards the lean about it
-    auto turn = [&](float share) {
-        const SinCos h = sin_cos(0.5f * share * angle);
-        return Quat{axis.x * h.sine, axis.y * h.sine, axis.z * h.sine, h.cosine};
-    };
     for (int j = spine; j <= right_hand; ++j) {
         const float share = j == spine ? 0.4f : j == chest ? 0.7f : j == head ? 0.4f : 1.0f;
-        pose.rotation[j] = normalize(turn(share) * pose.rotation[j]);
+        pose.rotation[j] = normalize(rotation_about(axis, share * angle) * pose.rotation[j]);
     }
 }
 
@@ -115,9 +111,10 @@ void for_fallen_near(const World& w, const Fall& f, const Do& act) {
 bool is_lain_on(const World& w, const Fall& f) {
     constexpr float k_longest = 1;  // seconds
     if (w.tick > f.rises_at + ticks_of(k_longest)) return false;
+    const BodyInTheWay own = in_the_way(w, f);
     bool is = false;
     for_fallen_near(w, f, [&](const Fall& other) {
-        if (other.phase != FallPhase::rises) is = is || lies_on(in_the_way(w, other), in_the_way(w, f));
+        if (other.phase != FallPhase::rises) is = is || lies_on(in_the_way(w, other), own);
     });
     return is;
 }

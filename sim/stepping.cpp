@@ -206,12 +206,12 @@ void step_those_who_step(World& w) {
     s.bipeds.orders = s.orders[0];
     ask_crowd(w);
     const Driven& driven = w.crowd.driven;
+    const bool is_alone = s.is_everybody && w.crowd.downed.empty();
     for (size_t n = 0; n < s.bipeds.all.size(); ++n) {
         if (s.bipeds.walkers[n] == driven.walker) {
             s.bipeds.orders.driven = static_cast<uint32_t>(n);
             s.bipeds.orders.wish = driven.wish;
         }
-        const bool is_alone = s.is_everybody && w.crowd.downed.empty();
         s.bipeds.room[n] = k_all_room;
         if (!is_alone && s.bipeds.all[n].is_down == 0) find_room(w, n);
     }

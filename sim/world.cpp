@@ -82,7 +82,6 @@ static bool is_free(const CrowdMotion& m, uint32_t count, uint32_t walker, Vec3 
     return true;
 }
 
-// Those who stagger there alone begin on the platform, where there is room.
 // Who staggers pushes no pram: is like the first who pushes none.
 static void take_prams_from_drunks(World& w) {
     CrowdIdentity& who = w.crowd.identity;
@@ -97,6 +96,7 @@ static void take_prams_from_drunks(World& w) {
     }
 }
 
+// Those who stagger there alone begin on the platform, where there is room.
 static void put_drunks_on_platform(World& w) {
     const Result<Platform> platform = make_platform(w.platform);
     if (!platform) return;         // let_stagger() says why

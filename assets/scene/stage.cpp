@@ -108,48 +108,31 @@ Result<PlannedPush> parse_push(const std::string& text) {
     return push;
 }
 
-// The place X,Y,Z that a text begins with, which is taken away.
-static std::optional<Vec3> take_spot(std::string_view& text) {
-    Vec3 place{};
-    for (float* part : {&place.x, &place.y, &place.z}) {
-        if (part != &place.x && !take_letter(text, ',')) return std::nullopt;
-        const auto number = take_number(text);
-        if (!number || !(std::fabs(*number) <= 1e6f)) return std::nullopt;
-        *part = *number;
-    }
-    return place;
-}
-
 Result<PlannedThrow> parse_throw(const std::string& text) {
     constexpr float k_longest = 1e5f;  // seconds
-    std::string_view left = text;
-    const auto seconds = take_number(left);
-    const auto from = seconds && take_letter(left, ' ') ? take_spot(left) : std::nullopt;
-    const auto at = from && take_letter(left, ' ') ? take_spot(left) : std::nullopt;
-    const auto speed = at && take_letter(left, ' ') ? take_number(left) : std::nullopt;
-    std::optional<float> mass = k_ball_mass;
-    if (speed && !left.empty()) mass = take_letter(left, ' ') ? take_number(left) : std::nullopt;
-    if (!speed || !mass || !left.empty() || !(*seconds >= 0 && *seconds <= k_longest))
+    const auto words = split(text, ' ');
+    float seconds = 0, speed = 0, mass = k_ball_mass;
+    bool is_throw = (words.size() == 4 || words.size() == 5) && parse_number(words[0], seconds) &&
+                    seconds >= 0 && seconds <= k_longest && parse_number(words[3], speed) &&
+                    (words.size() == 4 || parse_number(words[4], mass));
+    Result<Vec3> from = Vec3{}, at = Vec3{};
+    if (is_throw) from = parse_spot(std::string(words[1])), at = parse_spot(std::string(words[2]));
+    is_throw = is_throw && from && at;
+    if (!is_throw)
         return Error{excerpt(text) +
                      " is no throw: SECONDS X,Y,Z X,Y,Z SPEED, such as 2 0,1.6,9 0,1.2,0 12, "
                      "and kilograms after that"};
-    if (!(*speed >= k_slowest_throw && *speed <= k_fastest_throw))
+    if (!(speed >= k_slowest_throw && speed <= k_fastest_throw))
         return Error{excerpt(text) + ": Balls are thrown at 1 to 40 m/s"};
-    if (!(*mass >= k_lightest_ball && *mass <= k_heaviest_ball))
+    if (!(mass >= k_lightest_ball && mass <= k_heaviest_ball))
         return Error{excerpt(text) + ": Balls have 0.05 to 20 kg"};
-    return PlannedThrow{static_cast<uint32_t>(std::lround(*seconds * k_ticks_a_second)), *from, *at, *speed,
-                        *mass};
+    return PlannedThrow{static_cast<uint32_t>(std::lround(seconds * k_ticks_a_second)), *from, *at, speed,
+                        mass};
 }
 
 std::string told_throw(const PlannedThrow& how) {
     std::string text = plainly(static_cast<float>(how.tick) * k_tick);
-    for (const Vec3 place : {how.from, how.at})
-        text.append(" ")
-            .append(plainly(place.x))
-            .append(",")
-            .append(plainly(place.y))
-            .append(",")
-            .append(plainly(place.z));
+    for (const Vec3 place : {how.from, how.at}) text.append(" ").append(told_spot(place));
     text.append(" ").append(plainly(how.speed));
     if (how.mass != k_ball_mass) text.append(" ").append(plainly(how.mass));
     return text;

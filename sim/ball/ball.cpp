@@ -67,8 +67,7 @@ void roll(Ball& b, float dt) {
     const float angle = length(flat) * dt / b.radius;
     if (angle < 1e-6f) return;
     const Vec2 way = flat / length(flat);
-    const SinCos half = sin_cos(0.5f * angle);
-    b.turn = normalize(Quat{way.z * half.sine, 0, -way.x * half.sine, half.cosine} * b.turn);
+    b.turn = normalize(rotation_about({way.z, 0, -way.x}, angle) * b.turn);
 }
 
 void part(Ball& a, Ball& b) {

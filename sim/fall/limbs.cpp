@@ -11,10 +11,6 @@ namespace {
 constexpr float k_palm = 0.06f;  // of the height, from the wrist to the middle of the palm
 constexpr float k_straightest = 0.995f;
 
-Quat turn_about(Vec3 axis, float angle) {
-    const SinCos half = sin_cos(0.5f * angle);
-    return {axis.x * half.sine, axis.y * half.sine, axis.z * half.sine, half.cosine};
-}
 Quat turn_between(Vec3 from, Vec3 to) {
     return rotation_between(normalize_or(from, {0, -1, 0}), normalize_or(to, {0, -1, 0}));
 }
@@ -57,7 +53,7 @@ Vec3 palm_from(const BodyPose& pose, const PersonBlock& person, int lane, int ha
 Quat bone_turn(Vec3 bone, Vec3 axis) {
     const Quat down = rotation_between({0, -1, 0}, bone);
     const Vec3 x = rotate(down, {1, 0, 0});
-    return normalize(turn_about(bone, arctan2(dot(cross(x, axis), bone), dot(x, axis))) * down);
+    return normalize(rotation_about(bone, arctan2(dot(cross(x, axis), bone), dot(x, axis))) * down);
 }
 
 // An arm whose palm is at `palm`, and where its elbow would be at no turn.
@@ -87,7 +83,7 @@ struct ArmTurns {
 ArmTurns turned_arm(const PlainArm& arm, float turn, Vec3 palm) {
     const float a = arm.first, b = arm.second;
     const float reach = clamp(length(palm - arm.shoulder), std::fabs(a - b) + 0.01f, k_straightest * (a + b));
-    const Vec3 pole = rotate(turn_about(arm.along, turn), arm.pole), axis = cross(arm.along, pole);
+    const Vec3 pole = rotate(rotation_about(arm.along, turn), arm.pole), axis = cross(arm.along, pole);
     const float on = (a * a - b * b + reach * reach) / (2 * reach);
     const Vec3 elbow = arm.along * on + pole * std::sqrt(std::max(a * a - on * on, 0.0f));
     return {bone_turn(elbow / a, axis), bone_turn(normalize_or(arm.along * reach - elbow, arm.along), axis)};
@@ -185,13 +181,13 @@ float reach_of_arm(const PersonBlock& person, int lane) {
 
 void fold_knee(BodyPose& pose, Side side, float angle) {
     const int shank = thigh_of(side) + 1;
-    const Quat turn = turn_about(rotate(pose.rotation[shank], {1, 0, 0}), angle);
+    const Quat turn = rotation_about(rotate(pose.rotation[shank], {1, 0, 0}), angle);
     for (int j = shank; j <= shank + 2; ++j) pose.rotation[j] = normalize(turn * pose.rotation[j]);
 }
 
 void turn_foot(BodyPose& pose, Side side, float angle) {
     const int foot = thigh_of(side) + 2;
-    const Quat turn = turn_about(rotate(pose.rotation[foot], {1, 0, 0}), angle);
+    const Quat turn = rotation_about(rotate(pose.rotation[foot], {1, 0, 0}), angle);
     for (int j = foot; j <= foot + 1; ++j) pose.rotation[j] = normalize(turn * pose.rotation[j]);
 }
 
@@ -224,7 +220,7 @@ void lean_trunk(BodyPose& pose, float angle) {
                             : j == head  ? 0.5f
                             : is_arm     ? 0.3f
                                          : 1;
-        pose.rotation[j] = normalize(turn_about(axis, share * angle) * pose.rotation[j]);
+        pose.rotation[j] = normalize(rotation_about(axis, share * angle) * pose.rotation[j]);
     }
 }
 

@@ -182,10 +182,8 @@ void lay_out_drink(Show& show, Viewer& v, float scale) {
     const bool staggers = std::ranges::any_of(
         world.crowd.wayfarers, [](const Wayfarer& way) { return way.kind == Wayfarer::Kind::stagger; });
     if (!staggers) return;
-    float drunk = 100 * world.drunk;
-    ImGui::SetNextItemWidth(170 * scale);
-    if (ImGui::SliderFloat("drunk", &drunk, 0, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
-        set_drunk(world, drunk / 100);
+    if (float drunk = world.drunk; slide_share("drunk", drunk, scale)) {
+        set_drunk(world, drunk);
         changed_by_hand(v.time, world);
     }
     tip("of those who stagger: wider and uneven steps, and a trunk that reels");

@@ -26,6 +26,14 @@
 
 namespace flaneur {
 
+bool slide_share(const char* name, float& share, float scale) {
+    float percent = 100 * share;
+    ImGui::SetNextItemWidth(170 * scale);
+    const bool is_moved = ImGui::SliderFloat(name, &percent, 0, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp);
+    if (is_moved) share = percent / 100;
+    return is_moved;
+}
+
 uint64_t gesture_of_item(Change& c) {
     if (ImGui::IsItemActivated()) c.gesture = c.next_gesture++;
     return c.gesture;

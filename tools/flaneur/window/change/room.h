@@ -16,6 +16,8 @@ struct Viewer;
 std::string armed_tool(const Show& show, const Change& change);
 void lay_out_change(Show& show, Viewer& viewer, float scale);
 
+// A slider of a share that the simulation goes on with at once; whether it was moved.
+bool slide_share(const char* name, float& share, float scale);
 // After a slider: its drag is undone as one.
 uint64_t gesture_of_item(Change& change);
 
