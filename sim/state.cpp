@@ -169,8 +169,7 @@ uint64_t state_mark(const World& w) {
          {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
           ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
           w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(), w.crowd.kerbs.waits.size(),
-          w.company.bearings.size(),
-          w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
+          w.company.bearings.size(), w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
           w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
                        w.roam->compound.capsules.size() + 1
                  : 0})

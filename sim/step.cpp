@@ -124,8 +124,7 @@ void step_pose(World& w) {
     });
     add_idles(w);
     for_due_blocks(w, [&](size_t block, float dt) { hold_items(w, block, dt); });
-    if (is_on(w.company))
-        pose_company(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed, w.poses);
+    if (is_on(w.company)) pose_company(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed, w.poses);
     mind_falls(w);
     step_falls(w);
     pose_bystanders(w);
@@ -143,8 +142,7 @@ void step_pose(World& w) {
 void step_bodies(World& w) {
     timed(w, Stage::gait, [&] {
         step_gait(w);
-        if (is_on(w.company))
-            bear_themselves(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed);
+        if (is_on(w.company)) bear_themselves(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed);
     });
     timed(w, Stage::pose, [&] {
         step_pose(w);
@@ -177,8 +175,7 @@ void drive_crowd(World& w) {
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
     timed(w, Stage::move, [&] {
         move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick);
-        if (is_on(w.company))
-            guide(w.company, w.crowd, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
+        if (is_on(w.company)) guide(w.company, w.crowd, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
     });
 }
 

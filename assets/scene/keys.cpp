@@ -184,9 +184,9 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "stand and talk together; children below ten are never alone then. Without it everybody is by "
          "itself.",
          read_groups},
-        plain_key<&Scene::acquaintances>(
-            "acquaintances", {number, 0, 1}, "0", "0.05",
-            "How likely two who come towards each other, each alone, know each other: they greet, stop and talk."),
+        plain_key<&Scene::acquaintances>("acquaintances", {number, 0, 1}, "0", "0.05",
+                                         "How likely two who come towards each other, each alone, know each "
+                                         "other: they greet, stop and talk."),
         {"idles",
          {texts},
          nullptr,

@@ -110,7 +110,7 @@ bool has_hand_for(const Gait& gait, uint32_t i, Side side) {
 }
 
 // Whether they are so beside each other that hands meet, and go on to.
-bool can_hold(const Holding& h, Side child_side, bool held) {
+bool can_hold(const Holding& h, Side child_side, Side adult_side, bool held) {
     const Crowd& c = h.c;
     constexpr float k_nearest = 0.3f, k_farthest = 0.66f, k_still = 0.8f, k_beside = 0.35f, k_level = 0.35f;
     const Vec3 off = c.motion.position[h.adult] - c.motion.position[h.child];
@@ -118,13 +118,13 @@ bool can_hold(const Holding& h, Side child_side, bool held) {
     if (is_down(c, h.child) || is_down(c, h.adult) || passage_of(c, h.child) || passage_of(c, h.adult) ||
         own_of(c.called, h.child) || own_of(c.called, h.adult))
         return false;
-    const Side adult_side = side_of(c, h.adult, h.child);
-    if (!has_hand_for(h.gait, h.child, child_side) || !has_hand_for(h.gait, h.adult, adult_side)) return false;
+    if (!has_hand_for(h.gait, h.child, child_side) || !has_hand_for(h.gait, h.adult, adult_side))
+        return false;
     const float turned = std::fabs(wrap_angle(c.motion.heading[h.child] - c.motion.heading[h.adult]));
     const Vec2 ahead = heading_direction(c.motion.heading[h.adult]);
     const float on = std::fabs(dot(on_ground(off), ahead));
-    return side_of(c, h.child, h.adult) == child_side && far > k_nearest &&
-           far < (held ? k_still : k_farthest) && turned < (held ? 1.3f : 0.8f) &&
+    return side_of(c, h.child, h.adult) == child_side && side_of(c, h.adult, h.child) == adult_side &&
+           far > k_nearest && far < (held ? k_still : k_farthest) && turned < (held ? 1.3f : 0.8f) &&
            on < (held ? 1.5f : 1.0f) * k_beside && std::fabs(off.y) < k_level;
 }
 
@@ -142,9 +142,8 @@ Vec3 meeting_place(const Holding& h, Vec3 adult_shoulder, Vec3 child_shoulder, V
     // Not above the child's shoulder, and as low as the adult's arm lets it.
     const float low = adult_shoulder.y - k_hangs * adult_reach;
     const float height = std::max(low, child_shoulder.y - k_hangs * child_reach) + k_raised * child_reach;
-    Vec3 meets = at_height(on_ground(adult_shoulder) + between * k_to_child +
-                               ahead * (k_ahead + k_swing * swing),
-                           height);
+    Vec3 meets = at_height(
+        on_ground(adult_shoulder) + between * k_to_child + ahead * (k_ahead + k_swing * swing), height);
     for (int pass = 0; pass < 4; ++pass)
         for (const bool of_adult : {true, false}) {
             const Vec3 from = of_adult ? adult_shoulder : child_shoulder;
@@ -154,16 +153,15 @@ Vec3 meeting_place(const Holding& h, Vec3 adult_shoulder, Vec3 child_shoulder, V
     return meets;
 }
 
-void put_hands_together(const Holding& h, Side child_side, float share, std::vector<PoseBlock>& poses) {
-    const Side adult_side = side_of(h.c, h.adult, h.child);
+void put_hands_together(const Holding& h, Side child_side, Side adult_side, float share,
+                        std::vector<PoseBlock>& poses) {
     BodyPose adult = body_pose_of(poses, h.adult), child = body_pose_of(poses, h.child);
     const Someone grown = h.of(h.adult), small = h.of(h.child);
     const ArmPlaces of_adult = arm_places(adult, grown.person, grown.lane, adult_side),
                     of_child = arm_places(child, small.person, small.lane, child_side);
-    const Vec3 meets =
-        meeting_place(h, of_adult.shoulder, of_child.shoulder, of_adult.palm, of_child.palm);
-    const Vec3 to_child = at_height(
-        normalize_or(on_ground(of_child.shoulder - of_adult.shoulder), heading_direction(0)), 0);
+    const Vec3 meets = meeting_place(h, of_adult.shoulder, of_child.shoulder, of_adult.palm, of_child.palm);
+    const Vec3 to_child =
+        at_height(normalize_or(on_ground(of_child.shoulder - of_adult.shoulder), heading_direction(0)), 0);
     const Vec3 ahead = at_height(heading_direction(h.c.motion.heading[h.adult]), 0);
     // The adult's palm faces the child and back, its fingers down; the child's hand lies in it.
     const Vec3 faces = normalize_or(to_child * 0.8f - ahead * 0.6f, to_child);
@@ -184,18 +182,19 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
     Bearing& b = company.bearings[i];
     const Holding h{c, gait, i, b.holds};
     const bool together = is_seen(c, group, i) && is_seen(c, group, b.holds);
-    if (b.grip <= 0) b.holds_side = side_of(c, i, b.holds);
-    const auto side = static_cast<Side>(b.holds_side);
-    const bool holds = together && can_hold(h, side, b.grip > 0);
+    if (b.grip <= 0) b.own_side = side_of(c, i, b.holds), b.others_side = side_of(c, b.holds, i);
+    const auto own = static_cast<Side>(b.own_side), others = static_cast<Side>(b.others_side);
+    const bool holds = together && can_hold(h, own, others, b.grip > 0);
     b.grip = clamp(b.grip + (holds ? k_takes : -k_lets_go), 0, 1);
     if (b.grip > 0 && together && !is_down(c, i) && !is_down(c, b.holds))
-        put_hands_together(h, side, smoothstep(0, 1, b.grip), poses);
+        put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses);
 }
 
 // Right hands of two who greet each other, whose arms are bent.
 void shake_hands(Company& company, const Group& g, const Crowd& c, const Gait& gait, uint32_t tick,
                  std::vector<PoseBlock>& poses) {
-    constexpr float k_reaches = k_tick / 0.5f, k_lets_go = k_tick / 0.5f, k_nearest = 0.6f, k_farthest = 1.25f;
+    constexpr float k_reaches = k_tick / 0.5f, k_lets_go = k_tick / 0.5f, k_nearest = 0.6f,
+                    k_farthest = 1.25f;
     constexpr float k_low = 0.62f, k_deep = 0.028f, k_hertz = 2.3f;  // of an arm; metres
     const uint32_t a = g.members[0].index, b = g.members[1].index;
     float& share = company.bearings[a].grip;

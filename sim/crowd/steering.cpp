@@ -237,8 +237,8 @@ static bool add_neighbours(const Crowd& c, const Seen& me, const Intent& intent,
         }
         const Vec2 between = on_ground(other.position - me.position);
         // Nobody passes between those who stand together.
-        const bool stand_together = any_fellows && c.fellows[other.id].facing != Vec2{} &&
-                                    !are_together(c.fellows, me.id, other.id);
+        const bool stand_together =
+            any_fellows && c.fellows[other.id].facing != Vec2{} && !are_together(c.fellows, me.id, other.id);
         const float radii = me.radius + other.radius + (stand_together ? k_off_who_talk : 0);
         meets |= dot(me.course, other.course) < k_against;
         is_close |= length_squared(between) < (radii + k_throng) * (radii + k_throng);
