@@ -2,6 +2,7 @@
 // in.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -101,6 +102,8 @@ struct Scene {
     float helpers = k_usual_helpers;        // the same
     bool lamps = false;                     // whether traffic lights work and people mind them
     float jaywalkers = k_usual_jaywalkers;  // see WorldOptions
+    std::array<float, 4> groups{1, 0, 0, 0};  // the same
+    float acquaintances = 0;                  // the same
     bool flat = false;                      // of a course: all in one plane, seen from the side
     std::optional<Vec3> look;               // of a course: where all look who can turn their heads there
     uint64_t seed = 1;

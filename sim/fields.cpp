@@ -212,6 +212,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("balls", 'h', static_cast<uint32_t>(hash_balls(w.balls)));
     add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
     add("bystanders", 'h', static_cast<uint32_t>(hash_bystanders(w)));
+    add("company", 'h', is_on(w.company) ? static_cast<uint32_t>(hash_company(w.company)) : 0);
     const bool marches = is_on(c.march);
     add("march", 'h', marches ? static_cast<uint32_t>(hash_bytes(1, &c.march.how, sizeof c.march.how)) : 0);
     add("march_pace", 'h', marches ? hash(c.march.pace) : 0);
@@ -229,6 +230,7 @@ uint64_t hash_world(const World& world) {
     if (comes_and_goes(world.coming, world.crowd)) hash = mix(hash ^ hash_coming(world.coming));
     if (!world.balls.all.empty()) hash = mix(hash ^ hash_balls(world.balls));
     if (!world.falls.all.empty()) hash = mix(hash ^ hash_falls(world));
+    if (is_on(world.company)) hash = mix(hash ^ hash_company(world.company));
     if (!world.bystanders.all.empty()) hash = mix(hash ^ hash_bystanders(world));
     const std::vector<Vec3>& linkages = world.linkages.places;
     if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);

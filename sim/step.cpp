@@ -124,6 +124,8 @@ void step_pose(World& w) {
     });
     add_idles(w);
     for_due_blocks(w, [&](size_t block, float dt) { hold_items(w, block, dt); });
+    if (is_on(w.company))
+        pose_company(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed, w.poses);
     mind_falls(w);
     step_falls(w);
     pose_bystanders(w);
@@ -139,7 +141,11 @@ void step_pose(World& w) {
 
 // Gait and pose, and the end of the tick.
 void step_bodies(World& w) {
-    timed(w, Stage::gait, [&] { step_gait(w); });
+    timed(w, Stage::gait, [&] {
+        step_gait(w);
+        if (is_on(w.company))
+            bear_themselves(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed);
+    });
     timed(w, Stage::pose, [&] {
         step_pose(w);
         step_linkages(w.linkages, *w.workers, w.tick);
@@ -158,6 +164,7 @@ void step_bodies(World& w) {
 static void come_and_go(World& w) {
     come_and_go(w.coming, w.crowd, w.around, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
     for (const uint32_t walker : w.coming.gone) end_body(w, walker);
+    if (is_on(w.company)) join_arrivals(w.company, w.crowd, w.coming, w.folk, w.tick, w.seed);
     for (const uint32_t walker : w.coming.arrivals) start_body(w, walker);
 }
 
@@ -168,7 +175,11 @@ void drive_crowd(World& w) {
     timed(w, Stage::think, [&] { think(w.crowd, *w.navmesh, *w.workers, w.tick, w.seed); });
     timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
-    timed(w, Stage::move, [&] { move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick); });
+    timed(w, Stage::move, [&] {
+        move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick);
+        if (is_on(w.company))
+            guide(w.company, w.crowd, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
+    });
 }
 
 void drive_roam(World& w) {

@@ -204,6 +204,11 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
     world->crowd.pass_on = options.pass_on;
+    world->company.shares = options.groups;
+    world->company.acquaintances = options.acquaintances;
+    const bool is_any = has_groups(options.groups) || options.acquaintances > 0;
+    if (is_any && options.habit == Habit::wander && options.drunks == 0)
+        form_groups(world->company, world->crowd, world->around, *world->navmesh, world->folk, options.seed);
     take_prams_from_drunks(*world);
     put_drunks_on_platform(*world);
     mind_lamps(*world, options.crossings);
@@ -265,6 +270,7 @@ Result<void> set_down(World& world, Compound compound, uint32_t creatures, Gravi
     // On the mesh they have neither place nor goal any more: each walks at its middle, and is carried from
     // there.
     Crowd& crowd = world.crowd;
+    end_company(world.company, crowd);
     for (uint32_t i = 0; i < crowd.count; ++i) {
         crowd.motion.position[i] = {0, crowd.motion.under[i].height, 0};
         crowd.motion.heading[i] = 0;
@@ -360,6 +366,7 @@ void change_ground(World& w, std::shared_ptr<const Ground> ground, NavmeshPtr me
 void make_room(World& w, uint32_t capacity) {
     if (capacity <= w.crowd.capacity) return;
     make_room(w.crowd, capacity);
+    if (is_on(w.company)) make_room(w.company, w.crowd, capacity);
     const size_t before = w.gait.blocks.size();
     reserve_gait(w.gait, capacity, w.kinds[0].body, w.seed);
     w.idles.wanted.resize(capacity, k_no_clip);

@@ -18,6 +18,7 @@
 #include "sim/body/personality.h"
 #include "sim/bystanders.h"
 #include "sim/coming/coming.h"
+#include "sim/company/company.h"
 #include "sim/crowd/crowd.h"
 #include "sim/deeds/deeds.h"
 #include "sim/falls.h"
@@ -64,6 +65,7 @@ struct World {
     void (*drive)(World& world) = nullptr;  // moves everybody by a tick; see step.cpp
     Coming coming;
     Crowd crowd;
+    Company company;             // who goes with whom; mostly of nobody
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Herd herd;                   // creatures among people in a city; mostly none
     Linkages linkages;           // that are no people; mostly none

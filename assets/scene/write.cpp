@@ -92,6 +92,11 @@ std::string scene_text(const Scene& s) {
     tell("helpers", short_number(s.helpers), s.helpers != usual.helpers);
     tell("lamps", s.lamps, s.lamps);
     tell("jaywalkers", short_number(s.jaywalkers), s.jaywalkers != usual.jaywalkers);
+    tell("acquaintances", short_number(s.acquaintances), s.acquaintances > 0);
+    if (s.groups != usual.groups) {
+        const char* sizes[] = {"1", "2", "3", "4"};
+        for (size_t k = 0; k < s.groups.size(); ++k) json["groups"][sizes[k]] = short_number(s.groups[k]);
+    }
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
     if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);

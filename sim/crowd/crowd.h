@@ -22,6 +22,7 @@
 #include "sim/crowd/demand.h"
 #include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
+#include "sim/fellows/fellows.h"
 #include "sim/ground/door.h"
 #include "sim/ground/surroundings.h"
 #include "sim/lamps/kerbs.h"
@@ -49,8 +50,9 @@ enum class Errand : uint8_t {
 // How one goes who goes about no errand of its own.
 struct Wayfarer {
     // After somebody; to its goal, waiting for somebody who comes along; away from somebody; by rays among
-    // walls; along circles on a platform; or as somebody else moves it (sim/stepping.h).
-    enum class Kind : uint32_t { follow, lead, flee, ramble, stagger, is_led };
+    // walls; along circles on a platform; as somebody else moves it (sim/stepping.h); or along with those it
+    // goes with (Fellow).
+    enum class Kind : uint32_t { follow, lead, flee, ramble, stagger, is_led, along };
     uint32_t walker = 0;
     Kind kind = Kind::follow;
     uint32_t waits = 0;  // 1: for the one it leads
@@ -276,6 +278,7 @@ struct Crowd {
     std::vector<Wayfarer> wayfarers;  // of those who have one, by walker
     std::vector<Downed> downed;       // by walker
     std::vector<Called> called;       // by walker
+    Fellows fellows;                  // by walker; empty: nobody goes with others
     Driven driven;
     March march;
     PassOn pass_on = PassOn::right;
@@ -404,8 +407,11 @@ struct Folk {
     bool woman = false;
 };
 
-// One of them by chance: all but its place.
+// One of them by chance: all but its place. And one with that body.
 Walker draw_walker(std::span<const Folk> folk, RandomKey key);
+Walker draw_walker_as(std::span<const Folk> folk, uint32_t body, RandomKey key);
+// A walker is such a one from now on, where it is. Before its gait has begun.
+void become(Crowd& crowd, uint32_t walker, const Walker& how);
 
 // The streets where a city is densest, about the median of its facades, as far as so many walkers need to
 // have some 60 square metres each.

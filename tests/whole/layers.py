@@ -28,14 +28,16 @@ sim/stepper: sim/base, sim/gait, sim/gait/curves, sim/movers, sim/pose
 sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/lamps: sim/base, sim/navigation
-sim/crowd: sim/base, sim/body, sim/ground, sim/lamps, sim/limbs, sim/navigation, sim/ways
+sim/fellows: sim/base
+sim/crowd: sim/base, sim/body, sim/fellows, sim/ground, sim/lamps, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
 sim/alone: sim/crowd, sim/gait, sim/ground
 sim/figures: sim/alone, sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/deeds: sim/alone, sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
+sim/company: sim/base, sim/coming, sim/crowd, sim/deeds, sim/fall, sim/gait, sim/hands, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
+sim: sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base

@@ -53,6 +53,8 @@ void find_doing(const World& world, WalkerFacts& f) {
         f.seconds = seconds_of(lamp.left);
     } else if (minds && tick < minds->until && minds->does != Concern::glances) {
         f.doing = Doing::minds, f.minds = k_concern_words[static_cast<size_t>(minds->does)];
+    } else if (std::string with = company_words(world.company, crowd, world.folk, f.number); !with.empty()) {
+        f.doing = Doing::is_with, f.with = std::move(with);
     } else if (journey.arrived && journey.errand == Errand::arrive) {
         f.doing = Doing::arrived;
     } else if (journey.arrived && wait > 0) {
@@ -173,6 +175,8 @@ std::string told_doing(const WalkerFacts& f) {
             return "has fallen";
         case Doing::minds:
             return std::string(f.minds);
+        case Doing::is_with:
+            return f.with;
     }
     return text;
 }

@@ -54,6 +54,8 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     Scene s = scene_with(v.change.scene, d);
     if (!is_as_opened(v.change)) s.about.clear();  // which tells of the one that was opened
     s.drunk = show.loaded.world->drunk;
+    s.groups = show.loaded.world->company.shares;
+    s.acquaintances = show.loaded.world->company.acquaintances;
     if (s.lamps) s.jaywalkers = show.loaded.world->jaywalkers;
     leave_out_nobody(s);
     s.views = show.work_views;
