@@ -10,6 +10,7 @@
 
 #include "assets/additions.h"
 #include "assets/look.h"
+#include "sim/alongside/company.h"
 #include "sim/ball/planned_throw.h"
 #include "sim/base/result.h"
 #include "sim/crowd/habit.h"
@@ -101,6 +102,7 @@ struct Scene {
     float helpers = k_usual_helpers;        // the same
     bool lamps = false;                     // whether traffic lights work and people mind them
     float jaywalkers = k_usual_jaywalkers;  // see WorldOptions
+    Company company;                        // of people; see WorldOptions
     bool flat = false;                      // of a course: all in one plane, seen from the side
     std::optional<Vec3> look;               // of a course: where all look who can turn their heads there
     uint64_t seed = 1;

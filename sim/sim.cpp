@@ -134,6 +134,9 @@ Result<void> check(const WorldOptions& o) {
     if (!is_within(o.drunk, 0, 1)) return Error{"WorldOptions::drunk must be within 0 and 1."};
     if (o.drunks > o.walkers) return Error{"WorldOptions::drunks must be at most WorldOptions::walkers."};
     if (!is_within(o.helpers, 0, 1)) return Error{"WorldOptions::helpers must be within 0 and 1."};
+    const Company& along = o.company;
+    for (const float share : {along.dogs, along.wheelchairs, along.white_canes, along.umbrellas})
+        if (!is_within(share, 0, 1)) return Error{"Shares of WorldOptions::company must be within 0 and 1."};
     if (!is_within(o.jaywalkers, 0, 1)) return Error{"WorldOptions::jaywalkers must be within 0 and 1."};
     for (const Crossing& c : o.crossings.all) {
         const bool sound = is_finite(c.centre) && std::isfinite(c.half_length) && c.half_length > 0 &&

@@ -36,6 +36,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/alongside/company.h"
 #include "sim/animation/clip.h"
 #include "sim/ball/ball.h"
 #include "sim/base/result.h"
@@ -129,6 +130,8 @@ struct WorldOptions {
     // children, the old and the dutiful, more of those who have drunk.
     Crossings crossings{};
     float jaywalkers = k_usual_jaywalkers;
+    // Dogs, wheelchairs, white canes, umbrellas and musicians among those who are set down or come in.
+    Company company{};
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
 #include "sim/gait/hands.h"
@@ -127,6 +128,7 @@ void step_pose(World& w) {
     mind_falls(w);
     step_falls(w);
     pose_bystanders(w);
+    pose_alongside(w);
     if (w.stepping) turn_heads(w.stepping->bipeds, w.poses);
     for_due_blocks(w, [&](size_t block, float dt) {
         advance_trails(w.previous_poses, w.poses, block, block + 1, dt, w.previous_trails, w.trails);
@@ -189,7 +191,9 @@ void step(World& w) {
     give_planned_pushes(w);
     step_movers(w.movers, w.tick);
     if (!w.roam) step_balls(w);
+    think_alongside(w);
     w.drive(w);
+    move_alongside(w);
     if (w.stepping) step_those_who_step(w);
     step_bodies(w);
     count_journeys(w);

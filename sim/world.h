@@ -42,7 +42,8 @@ inline constexpr int k_stage_count = 7;
 inline constexpr std::string_view k_stage_names[k_stage_count] = {"come", "think", "neighbours", "steer",
                                                                   "move", "gait",  "pose"};
 
-struct Stepping;  // of stepping.h
+struct Stepping;   // of stepping.h
+struct Alongside;  // of alongside/alongside.h
 
 struct World {
     std::shared_ptr<const Ground> ground;
@@ -67,10 +68,11 @@ struct World {
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Herd herd;                   // creatures among people in a city; mostly none
     Linkages linkages;           // that are no people; mostly none
-    std::shared_ptr<Stepping> stepping;  // of those who step by the showcase's rule; else null
-    Movers movers;                       // rigid things that move; mostly none
-    Deeds deeds;                         // people who do things with their hands, the same
-    Troupe figures;                      // that are people, but not of the crowd; mostly none
+    std::shared_ptr<Stepping> stepping;    // of those who step by the showcase's rule; else null
+    std::shared_ptr<Alongside> alongside;  // what goes along with people; null: nothing does
+    Movers movers;                         // rigid things that move; mostly none
+    Deeds deeds;                           // people who do things with their hands, the same
+    Troupe figures;                        // that are people, but not of the crowd; mostly none
     Gait gait;
     ClipLayer idles;
     Balls balls;                                      // that are thrown

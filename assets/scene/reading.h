@@ -117,6 +117,14 @@ SceneKey<Scene> mix_key(const char* name, const char* meaning) {
             meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.mix.*Times = v; }};
 }
 
+// or what goes along with so many of them.
+template <float Company::*Share>
+SceneKey<Scene> company_key(const char* name, const char* meaning) {
+    return {name,    {KeyKind::number, 0, 1},
+            "0",     "0.05",
+            meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.company.*Share = v; }};
+}
+
 // A value that is taken as it stands.
 template <auto Member>
 SceneKey<Scene> plain_key(const char* name, const KeyRule& rule, const char* usual, const char* example,

@@ -324,9 +324,11 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
         d.makes_room.lanes[lane] = side_to_make_room(c.scratch, d, lane, side);
         // Who walks back onto the mesh crosses its border.
-        firm_count[lane] = intent.by_door     ? keep_in_line(intent.wanted, firm[lane])
-                           : intent.is_beside ? 0
-                                              : keep_in(mesh, me, intent.lifts, velocity, firm[lane]);
+        firm_count[lane] =
+            intent.by_door ? keep_in_line(intent.wanted, firm[lane])
+            : intent.is_beside
+                ? 0
+                : keep_in(mesh, me, intent.lifts || c.identity.ahead[me.id] == 0, velocity, firm[lane]);
         is_thronged[lane] = add_neighbours(c, me, intent, claim, lane, d);
     }
     set_firm(firm, firm_count, d);

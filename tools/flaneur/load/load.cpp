@@ -26,6 +26,7 @@
 #include "assets/stages/planets.h"
 #include "assets/stages/platform.h"
 #include "assets/stages/yard.h"
+#include "sim/alongside/alongside.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -376,6 +377,7 @@ Result<Loaded> load(const Options& options) {
     world.helpers = scene.helpers;
     world.crossings = loaded.city->crossings;
     world.jaywalkers = scene.jaywalkers;
+    world.company = scene.company;
     world.limbs = scene.limbs;
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
     if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
@@ -446,6 +448,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.helpers = world.bystanders.helpers;
     if (minds_lamps(world.crowd.kerbs)) options.crossings = world.crowd.kerbs.map->crossings;
     options.jaywalkers = world.jaywalkers;
+    if (world.alongside) options.company = world.alongside->company;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
     options.navmesh = settings_of(*world.navmesh);

@@ -43,6 +43,7 @@ struct WalkerFacts {
     float seconds = 0;                        // that it stays still, is lost still, has been stuck
     uint32_t whom = 0;                        // it gives way to
     std::string_view minds;                   // what it does who minds
+    std::string_view along;                   // what it does with what goes along with it; empty: nothing
     float to_go = 0;                          // metres, as the crow flies
     std::optional<DestinationKind> to, from;  // where it goes, and where it set out; none: nobody knows
 };
