@@ -280,12 +280,18 @@ void rise_on(World& w, Fall& f) {
         end.hips.y += w.crowd.motion.position[f.walker].y;
         pose = mixed(f.from, end, t);
     }
-    // Limbs that were set on the ground may have come to a wall; on steps they stay where they stand.
-    keep_off_walls(pose, f.segments, person, lane, w.around);
+    // Limbs that were set on the ground may have come to a wall; on steps they stay where they stand. Who has
+    // been moved aside goes on from there: limbs are bound to where they were, and must not fall behind.
+    auto keep_off = [&] {
+        const Vec3 aside = keep_off_walls(pose, f.segments, person, lane, w.around);
+        f.hips_at += on_ground(aside);
+        f.from.hips += aside;
+    };
+    keep_off();
     const bool is_smooth = settle(
         pose, body_pose_of(w.previous_poses, f.walker), f.segments, person, lane, w.around, f.floor,
         rests_of(f, end, person, lane, t, static_cast<float>(w.tick - f.began) * k_tick), f.raised, k_tick);
-    if (is_smooth) keep_off_walls(pose, f.segments, person, lane, w.around);
+    if (is_smooth) keep_off();
     set_body_pose(w.poses, person, f.walker, pose);
     if (f.share < 1) return;
     f.from = pose;

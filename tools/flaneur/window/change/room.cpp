@@ -242,7 +242,9 @@ void lay_out_history(Show& show, Viewer& v, float scale) {
 }
 
 template <AddedKind Kind>
-void take_tool(Show&, Viewer& v) {
+void take_tool(Show& show, Viewer& v) {
+    const World& world = *show.loaded.world;
+    if (world.roam || is_on_course(world)) return tell(v, "Nothing is put down here: this is no city.");
     choose_tool(v, Kind);
 }
 
