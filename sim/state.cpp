@@ -173,7 +173,7 @@ uint64_t state_mark(const World& w) {
         add(sending.people, sending.begin, sending.end, sending.speed);
     for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
-    if (w.alongside) add(w.alongside->company);
+    if (w.alongside) add(w.alongside->players.size());
     const Ground& ground = *w.ground;
     for (size_t size :
          {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),

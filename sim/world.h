@@ -148,14 +148,18 @@ void drive_roam(World& world);
 void start_body(World& world, uint32_t walker);
 void end_body(World& world, uint32_t walker);
 
+// How many of them play on squares.
+uint32_t player_count(const World& world);
 // How many people there are, without creatures.
 inline uint32_t people_count(const World& world) {
     return static_cast<uint32_t>(world.crowd.slots.living.size() - world.herd.goes_as.size());
 }
 
-// The same with those who are about to come in, and without those who leave: see kept_people() of Coming.
+// The same with those who are about to come in, and without those who leave (see kept_people() of Coming) and
+// those who play.
 inline uint32_t kept_people(const World& world) {
-    return kept_people(world.coming, world.crowd) - static_cast<uint32_t>(world.herd.goes_as.size());
+    return kept_people(world.coming, world.crowd) - static_cast<uint32_t>(world.herd.goes_as.size()) -
+           player_count(world);
 }
 // The creatures, and what they stand on, by Creature::walker.
 inline const std::vector<Creature>& creatures_of(const World& world) {

@@ -13,6 +13,7 @@ namespace flaneur {
 struct ThingVertex {
     Vec3 position, normal;
     uint32_t colour = 0xffffffff;  // sRGB, R in the lowest byte
+    bool tinted = false;           // takes the colour of Tint::top too
     uint8_t joints[4] = {0, 0, 0, 0};
     uint8_t weights[4] = {255, 0, 0, 0};  // sum to 255
 };

@@ -146,7 +146,9 @@ ThingMesh make_umbrella() {
                 }
             }
     }
+    const size_t cloth = m.mesh.vertices.size();
     m.add(shell, rgb(0xffffff));
+    for (size_t i = cloth; i < m.mesh.vertices.size(); ++i) m.mesh.vertices[i].tinted = true;
     for (int a = 0; a < k_ribs; ++a) {
         const Vec3 rib[] = {at(0, a * k_round, .012f), at(3, a * k_round, .012f), at(5, a * k_round, .010f),
                             at(k_rings, a * k_round, .006f)};

@@ -86,6 +86,30 @@ size_t room_for(const World& w, float share) {
     return static_cast<size_t>(1.3f * share * static_cast<float>(w.crowd.capacity)) + 16;
 }
 
+// Where it allocates, so that ticks do not.
+void make_room_for(World& w) {
+    Alongside& a = *w.alongside;
+    const size_t dogs = room_for(w, a.company.dogs), chairs = room_for(w, a.company.wheelchairs);
+    a.dogs.reserve(dogs), a.previous_dogs.reserve(dogs);
+    w.crowd.beside.reserve(dogs + k_most_musicians);
+    a.chairs.reserve(chairs), a.previous_chairs.reserve(chairs);
+    a.companions.reserve(dogs + chairs + room_for(w, a.company.white_canes) +
+                         room_for(w, a.company.umbrellas) + k_most_musicians);
+    constexpr size_t k_most_listeners = 12;
+    a.listeners.reserve(a.company.musicians * k_most_listeners);
+    w.crowd.called.reserve(w.crowd.called.capacity() + a.listeners.capacity() + dogs);
+}
+
+// Who had a wheelchair walks, as others of its kind.
+void stand_up(World& w, uint32_t i) {
+    CrowdIdentity& who = w.crowd.identity;
+    const Folk one = w.folk[who.body[i]];
+    const Walker drawn = draw_walker({&one, 1}, {w.seed, i, w.crowd.slots.generation[i], Purpose::body});
+    who.ahead[i] = 0;
+    who.radius[i] = drawn.radius;
+    who.preferred_speed[i] = drawn.preferred_speed;
+}
+
 // How hands take hold again of who has been down.
 void take_hold(World& w) {
     for (Companion& c : w.alongside->companions) {
@@ -110,19 +134,28 @@ void keep_company(World& w, const Company& company) {
     Alongside& a = *w.alongside;
     a.company = company;
     a.company.musicians = std::min(company.musicians, k_most_musicians);
-    const size_t dogs = room_for(w, company.dogs), chairs = room_for(w, company.wheelchairs);
-    a.dogs.reserve(dogs), a.previous_dogs.reserve(dogs), a.wishes.reserve(dogs);
-    w.crowd.beside.reserve(dogs + k_most_musicians);
-    a.chairs.reserve(chairs), a.previous_chairs.reserve(chairs);
-    a.companions.reserve(dogs + chairs + room_for(w, company.white_canes) + room_for(w, company.umbrellas) +
-                         k_most_musicians);
-    constexpr size_t k_most_listeners = 12;
-    a.listeners.reserve(a.company.musicians * k_most_listeners);
-    w.crowd.called.reserve(w.crowd.called.capacity() + a.listeners.capacity() + dogs);
+    make_room_for(w);
     for (const WalkerId id : std::vector<WalkerId>(w.crowd.slots.living)) join_company(w, id.index);
     set_players(w);
     pose_alongside(w);
     w.previous_poses = w.poses;
+    forget_previous(a);
+}
+
+void change_company(World& w, const Company& company) {
+    Alongside& a = *w.alongside;
+    const uint32_t musicians = a.company.musicians;
+    a.company = company;
+    a.company.musicians = musicians;
+    for (const Companion& c : std::vector<Companion>(a.companions)) {
+        if (c.what > Along::umbrella) continue;
+        const Dog* dog = own_of(a.dogs, c.walker);
+        if (dog && dog->does == static_cast<uint32_t>(DogDoes::sniffs)) call_off(w.crowd, c.walker);
+        if (c.what == Along::wheelchair) stand_up(w, c.walker);
+        leave_company(w, c.walker);
+    }
+    make_room_for(w);
+    for (const WalkerId id : std::vector<WalkerId>(w.crowd.slots.living)) join_company(w, id.index);
     forget_previous(a);
 }
 
@@ -188,6 +221,13 @@ void pose_alongside(World& w) {
         pose_listener(w, l, pose);
         set_body_pose(w.poses, w.gait.people[l.walker / k_block], l.walker, pose);
     }
+}
+
+uint32_t player_count(const World& w) {
+    if (!w.alongside) return 0;
+    return static_cast<uint32_t>(std::ranges::count_if(w.alongside->players, [&](const Player& p) {
+        return is_there(w.crowd, p.walker) && w.crowd.slots.generation[p.walker] == p.generation;
+    }));
 }
 
 const Companion* companion_of(const World& w, uint32_t walker) {

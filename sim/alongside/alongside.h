@@ -65,8 +65,6 @@ struct Alongside {
     // For who draws between ticks.
     std::vector<Dog> previous_dogs;
     std::vector<Chair> previous_chairs;
-    // Of one tick alone.
-    std::vector<DogWish> wishes;
 };
 
 // The lists that the next tick depends on.
@@ -84,6 +82,10 @@ void forget_previous(Alongside& along);
 
 // From now on people have such company, whoever is there already too. Allocates; between two ticks.
 void keep_company(World& world, const Company& company);
+
+// The same of a world that has company: shares of those who are there are drawn anew; who plays stays. Allocates;
+// between two ticks.
+void change_company(World& world, const Company& company);
 
 // A walker came, or is gone.
 void join_company(World& world, uint32_t walker);

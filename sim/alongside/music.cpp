@@ -146,7 +146,7 @@ void call_listeners(World& w, uint32_t number) {
     size_t count = 0;
     for (const Listener& l : a.listeners) count += l.player == number;
     if (count >= k_most) return;
-    std::array<uint32_t, 32> near;
+    std::array<uint32_t, 512> near;  // all who are: those there is no room for would be any
     const Vec3 at = w.crowd.motion.position[p.walker];
     const size_t found = those_near(w, at, k_hears, near);
     for (const uint32_t i : std::span(near).first(found)) {

@@ -26,7 +26,7 @@ constexpr float k_thin = 0.35f;         // metres: half of what may be sniffed a
 constexpr float k_smells = 1.7f;        // metres
 constexpr uint32_t k_looks_every = 20;  // ticks
 constexpr float k_sits_after = 3.5f;    // seconds that its owner stands
-constexpr size_t k_most_near = 24;
+constexpr size_t k_most_near = 96;
 
 uint32_t ticks_of(float seconds) { return static_cast<uint32_t>(seconds / k_tick); }
 DogDoes does_of(const Dog& dog) { return static_cast<DogDoes>(dog.does); }

@@ -127,7 +127,7 @@ tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, 
 tools/flaneur/window/panels: tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change
 tools/flaneur/window/ask sources: assets/files, sim, sim/alongside, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
-tools/flaneur/window/change sources: assets, assets/files, assets/stages, sim, sim/base, sim/ways, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/steppers, tools/flaneur/window/time
+tools/flaneur/window/change sources: assets, assets/files, assets/stages, sim, sim/alongside, sim/base, sim/ways, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/steppers, tools/flaneur/window/time
 tools/flaneur/window/steppers sources: sim, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/open, tools/flaneur/window/steppers
 tools/flaneur/window/exhibits sources: renderer, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/exhibits
 tools/flaneur/window/frame sources: renderer, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/frame

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assets/alongside/thing.h"
+#include "assets/character.h"
 #include "assets/colour.h"
 #include "sim/base/math.h"
 #include "sim/base/spans.h"
@@ -42,6 +43,7 @@ PersonMesh to_mesh(const ThingMesh& thing) {
         out.colour = v.colour;
         out.normal[0] = packed(v.normal.x), out.normal[1] = packed(v.normal.y),
         out.normal[2] = packed(v.normal.z);
+        out.normal[3] = static_cast<int8_t>(v.tinted ? Tint::top : Tint::none);
         std::ranges::copy(v.joints, out.joints);
         std::ranges::copy(v.weights, out.weights);
         out.texture = ~0u;
@@ -186,7 +188,7 @@ void add_held(Adder& adder, const Companion& c) {
             return adder.add(thing_white_cane, c.walker, at, 1.4f * size, size);
         case Along::umbrella:
             adder.add(thing_umbrella, c.walker, at, 1.2f * size, size);
-            adder.frame.walkers.back().instance.tints[0] = k_cloths[c.walker % std::size(k_cloths)];
+            adder.frame.walkers.back().instance.tints[static_cast<size_t>(Tint::top)] = k_cloths[c.walker % std::size(k_cloths)];
             return;
         case Along::guitar:
             return adder.add(thing_guitar, c.walker, at, 0.9f * size, size);
