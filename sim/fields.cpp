@@ -6,6 +6,7 @@
 #include <charconv>
 #include <type_traits>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/hash.h"
 #include "sim/crowd/values-inl.h"
 #include "sim/row_names-inl.h"
@@ -211,6 +212,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("movers", 'h', hash(w.movers.places));
     add("balls", 'h', static_cast<uint32_t>(hash_balls(w.balls)));
     add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
+    add("alongside", 'h', w.alongside ? static_cast<uint32_t>(hash_alongside(*w.alongside)) : 0);
     add("bystanders", 'h', static_cast<uint32_t>(hash_bystanders(w)));
     add("company", 'h', is_on(w.company) ? static_cast<uint32_t>(hash_company(w.company)) : 0);
     const bool marches = is_on(c.march);
@@ -232,6 +234,7 @@ uint64_t hash_world(const World& world) {
     if (!world.falls.all.empty()) hash = mix(hash ^ hash_falls(world));
     if (is_on(world.company)) hash = mix(hash ^ hash_company(world.company));
     if (!world.bystanders.all.empty()) hash = mix(hash ^ hash_bystanders(world));
+    if (world.alongside) hash = mix(hash ^ hash_alongside(*world.alongside));
     const std::vector<Vec3>& linkages = world.linkages.places;
     if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);
     const std::vector<Doer>& doers = world.deeds.doers;

@@ -36,6 +36,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/alongside/shares.h"
 #include "sim/animation/clip.h"
 #include "sim/ball/ball.h"
 #include "sim/base/result.h"
@@ -129,11 +130,15 @@ struct WorldOptions {
     // children, the old and the dutiful, more of those who have drunk.
     Crossings crossings{};
     float jaywalkers = k_usual_jaywalkers;
-    // How many of those who wander are alone, in pairs, in threes and in fours, against the others: they walk,
-    // stand and talk together, and children below ten are never alone. As it is, everybody is by itself.
+    // How many of those who wander are alone, in pairs, in threes and in fours, against the others: they
+    // walk, stand and talk together, and children below ten are never alone. As it is, everybody is by
+    // itself.
     std::array<float, 4> groups{1, 0, 0, 0};
-    // How likely two who come towards each other and walk alone know each other, 0..1: they greet, stop and talk.
+    // How likely two who come towards each other and walk alone know each other, 0..1: they greet, stop and
+    // talk.
     float acquaintances = 0;
+    // Dogs, wheelchairs, white canes, umbrellas and musicians among those who are set down or come in.
+    AlongShares along{};
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 

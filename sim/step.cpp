@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
 #include "sim/gait/hands.h"
@@ -124,11 +125,11 @@ void step_pose(World& w) {
     });
     add_idles(w);
     for_due_blocks(w, [&](size_t block, float dt) { hold_items(w, block, dt); });
-    if (is_on(w.company))
-        pose_company(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed, w.poses);
+    if (is_on(w.company)) pose_company(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed, w.poses);
     mind_falls(w);
     step_falls(w);
     pose_bystanders(w);
+    pose_alongside(w);
     if (w.stepping) turn_heads(w.stepping->bipeds, w.poses);
     for_due_blocks(w, [&](size_t block, float dt) {
         advance_trails(w.previous_poses, w.poses, block, block + 1, dt, w.previous_trails, w.trails);
@@ -143,8 +144,7 @@ void step_pose(World& w) {
 void step_bodies(World& w) {
     timed(w, Stage::gait, [&] {
         step_gait(w);
-        if (is_on(w.company))
-            bear_themselves(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed);
+        if (is_on(w.company)) bear_themselves(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed);
     });
     timed(w, Stage::pose, [&] {
         step_pose(w);
@@ -177,8 +177,7 @@ void drive_crowd(World& w) {
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
     timed(w, Stage::move, [&] {
         move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick);
-        if (is_on(w.company))
-            guide(w.company, w.crowd, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
+        if (is_on(w.company)) guide(w.company, w.crowd, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
     });
 }
 
@@ -200,7 +199,9 @@ void step(World& w) {
     give_planned_pushes(w);
     step_movers(w.movers, w.tick);
     if (!w.roam) step_balls(w);
+    think_alongside(w);
     w.drive(w);
+    move_alongside(w);
     if (w.stepping) step_those_who_step(w);
     step_bodies(w);
     count_journeys(w);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
 #include "sim/body/pace.h"
@@ -236,6 +237,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     if (Result<void> done = set_off(*world); !done) return done.error();
     if (!world->pushes.empty()) make_room_to_fall(*world, world->crowd.capacity);
     if (!world->balls.planned.empty()) make_room_for_balls(*world);
+    let_go_along(*world, options.along);
     if (progress) progress("setting down the walkers", 1);
     return world;
 }
@@ -308,11 +310,13 @@ void start_body(World& w, uint32_t walker) {
     set_pace(w, walker);
     set_lamp_manner(w, walker);
     pose_newcomer(w, walker);
+    join_along(w, walker);
 }
 
 void end_body(World& w, uint32_t walker) {
     forget_fall(w, walker);
     forget_bystander(w, walker);
+    leave_along(w, walker);
     end_walker(w.gait, walker, w.kinds[0].body, w.seed);
     pose_newcomer(w, walker);
 }

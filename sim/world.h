@@ -43,7 +43,8 @@ inline constexpr int k_stage_count = 7;
 inline constexpr std::string_view k_stage_names[k_stage_count] = {"come", "think", "neighbours", "steer",
                                                                   "move", "gait",  "pose"};
 
-struct Stepping;  // of stepping.h
+struct Stepping;   // of stepping.h
+struct Alongside;  // of alongside/alongside.h
 
 struct World {
     std::shared_ptr<const Ground> ground;
@@ -69,10 +70,11 @@ struct World {
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Herd herd;                   // creatures among people in a city; mostly none
     Linkages linkages;           // that are no people; mostly none
-    std::shared_ptr<Stepping> stepping;  // of those who step by the showcase's rule; else null
-    Movers movers;                       // rigid things that move; mostly none
-    Deeds deeds;                         // people who do things with their hands, the same
-    Troupe figures;                      // that are people, but not of the crowd; mostly none
+    std::shared_ptr<Stepping> stepping;    // of those who step by the showcase's rule; else null
+    std::shared_ptr<Alongside> alongside;  // what goes along with people; null: nothing does
+    Movers movers;                         // rigid things that move; mostly none
+    Deeds deeds;                           // people who do things with their hands, the same
+    Troupe figures;                        // that are people, but not of the crowd; mostly none
     Gait gait;
     ClipLayer idles;
     Balls balls;                                      // that are thrown
@@ -148,14 +150,18 @@ void drive_roam(World& world);
 void start_body(World& world, uint32_t walker);
 void end_body(World& world, uint32_t walker);
 
+// How many of them play on squares.
+uint32_t player_count(const World& world);
 // How many people there are, without creatures.
 inline uint32_t people_count(const World& world) {
     return static_cast<uint32_t>(world.crowd.slots.living.size() - world.herd.goes_as.size());
 }
 
-// The same with those who are about to come in, and without those who leave: see kept_people() of Coming.
+// The same with those who are about to come in, and without those who leave (see kept_people() of Coming) and
+// those who play.
 inline uint32_t kept_people(const World& world) {
-    return kept_people(world.coming, world.crowd) - static_cast<uint32_t>(world.herd.goes_as.size());
+    return kept_people(world.coming, world.crowd) - static_cast<uint32_t>(world.herd.goes_as.size()) -
+           player_count(world);
 }
 // The creatures, and what they stand on, by Creature::walker.
 inline const std::vector<Creature>& creatures_of(const World& world) {

@@ -184,9 +184,21 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "stand and talk together; children below ten are never alone then. Without it everybody is by "
          "itself.",
          read_groups},
-        plain_key<&Scene::acquaintances>(
-            "acquaintances", {number, 0, 1}, "0", "0.05",
-            "How likely two who come towards each other, each alone, know each other: they greet, stop and talk."),
+        plain_key<&Scene::acquaintances>("acquaintances", {number, 0, 1}, "0", "0.05",
+                                         "How likely two who come towards each other, each alone, know each "
+                                         "other: they greet, stop and talk."),
+        along_key<&AlongShares::dogs>(
+            "dogs", "How many of the grown ones whose hands are free walk a dog on a lead."),
+        along_key<&AlongShares::wheelchairs>("wheelchairs", "How many of them go in a wheelchair."),
+        along_key<&AlongShares::white_canes>("white_canes",
+                                             "How many of them feel their way with a white cane."),
+        along_key<&AlongShares::umbrellas>("umbrellas", "How many of them hold an umbrella."),
+        {"musicians",
+         {whole, 0, 16},
+         "0",
+         "3",
+         "How many people more play on squares, with those who stop to listen.",
+         [](Reading&, Scene& s, const Json& v) { s.along.musicians = v.get<uint32_t>(); }},
         {"idles",
          {texts},
          nullptr,

@@ -123,6 +123,14 @@ SceneKey<Scene> mix_key(const char* name, const char* meaning) {
             meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.mix.*Times = v; }};
 }
 
+// or what goes along with so many of them.
+template <float AlongShares::*Share>
+SceneKey<Scene> along_key(const char* name, const char* meaning) {
+    return {name,    {KeyKind::number, 0, 1},
+            "0",     "0.05",
+            meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.along.*Share = v; }};
+}
+
 // A value that is taken as it stands.
 template <auto Member>
 SceneKey<Scene> plain_key(const char* name, const KeyRule& rule, const char* usual, const char* example,

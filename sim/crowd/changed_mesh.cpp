@@ -130,6 +130,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     keep_all(wider.kerbs, c.kerbs, &Kerbs::waits, &Kerbs::manners);
     wider.downed = c.downed;
     wider.called = c.called;
+    wider.beside = c.beside;
     wider.march = std::move(c.march);
     wider.pass_on = c.pass_on;
     wider.onlookers = std::move(c.onlookers);

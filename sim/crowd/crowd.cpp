@@ -138,6 +138,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     (void)take_away(c.downed, i);
     (void)take_away(c.called, i);
     if (!c.fellows.empty()) c.fellows[i] = {};
+    (void)take_away(c.beside, i);
     if (minds_lamps(c.kerbs)) leave_kerb(c.kerbs, i);
 }
 
@@ -287,6 +288,7 @@ uint64_t hash_crowd(const Crowd& c) {
         h = hash_bytes(h, c.march.pace.data(), c.march.pace.size() * sizeof(float));
         h = hash_bytes(h, c.march.turns.data(), c.march.turns.size() * sizeof(SlowTurn));
     }
+    if (!c.beside.empty()) h = hash_bytes(h, c.beside.data(), c.beside.size() * sizeof(GoesBeside));
     const Traffic& traffic = c.traffic;
     if (traffic.is_slow || traffic.done > 0) {
         h = hash_bytes(h, traffic.slow.data(), traffic.slow.size() * sizeof(float));

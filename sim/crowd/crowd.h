@@ -101,6 +101,12 @@ struct Called {
     float speed = 0;  // m/s, at most
 };
 
+// What goes beside a walker, such as a dog on a lead: others keep clear of it as of a pram.
+struct GoesBeside {
+    uint32_t walker = 0;
+    Vec2 to{};  // metres from the walker to its middle
+};
+
 // Who they are; constant.
 struct CrowdIdentity {
     std::vector<float> preferred_speed;  // metres a second, 0.3 .. 2
@@ -185,7 +191,7 @@ struct CrowdDecision {
 struct Seen {
     Vec3 position;
     Vec2 velocity;  // m/s; of one with a claim what it asks for, else what it has
-    Vec2 ahead;     // metres to the middle of the pram that it pushes; zero: of none
+    Vec2 ahead;     // metres to the middle of the pram that it pushes, or of what is beside it; zero: of none
     Vec2 course, aim;
     float radius = 0;
     uint32_t id = 0;
@@ -279,6 +285,7 @@ struct Crowd {
     std::vector<Downed> downed;       // by walker
     std::vector<Called> called;       // by walker
     Fellows fellows;                  // by walker; empty: nobody goes with others
+    std::vector<GoesBeside> beside;   // by walker
     Driven driven;
     March march;
     PassOn pass_on = PassOn::right;

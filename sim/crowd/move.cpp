@@ -148,7 +148,7 @@ static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
         float overlap = touching - k_overlap - d;
         if (overlap > 0) out.push += direction * (0.5f * overlap / dt);
     }
-    if (length_squared(me.ahead) > 0) add_contacts_of_pram(c, at, wish, dt, out);
+    if (c.identity.ahead[me.id] > 0) add_contacts_of_pram(c, at, wish, dt, out);
     float l = length(out.push);
     if (l > k_push) out.push = out.push * (k_push / l);
     return out;

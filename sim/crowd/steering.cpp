@@ -237,8 +237,8 @@ static bool add_neighbours(const Crowd& c, const Seen& me, const Intent& intent,
         }
         const Vec2 between = on_ground(other.position - me.position);
         // Nobody passes between those who stand together.
-        const bool stand_together = any_fellows && c.fellows[other.id].facing != Vec2{} &&
-                                    !are_together(c.fellows, me.id, other.id);
+        const bool stand_together =
+            any_fellows && c.fellows[other.id].facing != Vec2{} && !are_together(c.fellows, me.id, other.id);
         const float radii = me.radius + other.radius + (stand_together ? k_off_who_talk : 0);
         meets |= dot(me.course, other.course) < k_against;
         is_close |= length_squared(between) < (radii + k_throng) * (radii + k_throng);
@@ -333,9 +333,11 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
         d.makes_room.lanes[lane] = side_to_make_room(c.scratch, d, lane, side);
         // Who walks back onto the mesh crosses its border.
-        firm_count[lane] = intent.by_door     ? keep_in_line(intent.wanted, firm[lane])
-                           : intent.is_beside ? 0
-                                              : keep_in(mesh, me, intent.lifts, velocity, firm[lane]);
+        firm_count[lane] =
+            intent.by_door ? keep_in_line(intent.wanted, firm[lane])
+            : intent.is_beside
+                ? 0
+                : keep_in(mesh, me, intent.lifts || c.identity.ahead[me.id] == 0, velocity, firm[lane]);
         is_thronged[lane] = add_neighbours(c, me, intent, claim, lane, d);
     }
     set_firm(firm, firm_count, d);

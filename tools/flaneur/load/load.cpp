@@ -26,6 +26,7 @@
 #include "assets/stages/planets.h"
 #include "assets/stages/platform.h"
 #include "assets/stages/yard.h"
+#include "sim/alongside/alongside.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -378,6 +379,7 @@ Result<Loaded> load(const Options& options) {
     world.jaywalkers = scene.jaywalkers;
     world.groups = scene.groups;
     world.acquaintances = scene.acquaintances;
+    world.along = scene.along;
     world.limbs = scene.limbs;
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
     if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
@@ -450,6 +452,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.jaywalkers = world.jaywalkers;
     options.groups = world.company.shares;
     options.acquaintances = world.company.acquaintances;
+    if (world.alongside) options.along = world.alongside->shares;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
     options.navmesh = settings_of(*world.navmesh);

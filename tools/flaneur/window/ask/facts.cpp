@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/spans.h"
 #include "sim/base/tick.h"
 #include "sim/stepping.h"
@@ -97,6 +98,7 @@ WalkerFacts quick_facts_of(const Show& show, uint32_t walker) {
     f.personality = personality_of(world, walker);
     if (is_creature(world.herd, walker))
         f.creature = world.herd.creatures[walker - world.herd.goes_as.front()].size;
+    f.along = told_along(world, walker);
     find_doing(world, f);
     return f;
 }
@@ -139,7 +141,7 @@ std::string told_nature(const Personality& p) {
     return told;
 }
 
-std::string told_doing(const WalkerFacts& f) {
+static std::string told_errand(const WalkerFacts& f) {
     char text[96] = "";
     switch (f.doing) {
         case Doing::walks:
@@ -179,6 +181,11 @@ std::string told_doing(const WalkerFacts& f) {
             return f.with;
     }
     return text;
+}
+
+std::string told_doing(const WalkerFacts& f) {
+    const std::string errand = told_errand(f);
+    return f.along.empty() ? errand : std::string(f.along) + "; " + errand;
 }
 
 const char* told(Bag bag) {

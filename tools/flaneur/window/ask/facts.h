@@ -45,6 +45,7 @@ struct WalkerFacts {
     uint32_t whom = 0;                        // it gives way to
     std::string_view minds;                   // what it does who minds
     std::string with;                         // whom it walks or talks with, and how
+    std::string_view along;                   // what it does with what goes along with it; empty: nothing
     float to_go = 0;                          // metres, as the crow flies
     std::optional<DestinationKind> to, from;  // where it goes, and where it set out; none: nobody knows
 };

@@ -13,6 +13,7 @@
 #include "sim/stepping.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
+#include "tools/flaneur/window/change/alongside.h"
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/change/lamps.h"
@@ -366,6 +367,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_course(show, v);
     lay_out_drink(show, v, scale);
     lay_out_lamps(show, v, scale);
+    lay_out_alongside(show, v, scale);
     if (!show.loaded.world->roam && !is_on_course(*show.loaded.world)) {
         ImGui::Spacing();
         lay_out_tools(v, scale);

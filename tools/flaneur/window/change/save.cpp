@@ -57,6 +57,7 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     s.groups = show.loaded.world->company.shares;
     s.acquaintances = show.loaded.world->company.acquaintances;
     if (s.lamps) s.jaywalkers = show.loaded.world->jaywalkers;
+    if (show.loaded.world->alongside) s.along = show.loaded.world->alongside->shares;
     leave_out_nobody(s);
     s.views = show.work_views;
     s.quality = v.quality;
