@@ -16,6 +16,7 @@
 #include "sim/fall/planned_push.h"
 #include "sim/lamps/kerbs.h"
 #include "sim/limbs/limbs.h"
+#include "sim/pastimes/places.h"
 
 namespace flaneur {
 
@@ -34,6 +35,16 @@ struct PeopleMix {
     bool operator==(const PeopleMix&) const = default;
 };
 inline constexpr float k_grown_up = 14, k_old_age = 65;  // years
+// The shares of PastimeShares, by their keys.
+struct PastimeKey {
+    const char* name;  // in a scene's file
+    float PastimeShares::*share;
+};
+inline constexpr PastimeKey k_pastimes[] = {{"sitting", &PastimeShares::sitting},
+                                            {"leaning", &PastimeShares::leaning},
+                                            {"on_phones", &PastimeShares::phones},
+                                            {"windows", &PastimeShares::windows},
+                                            {"queues", &PastimeShares::queues}};
 struct MixKey {
     const char* name;  // in a scene's file
     float PeopleMix::*times;
@@ -101,6 +112,7 @@ struct Scene {
     float helpers = k_usual_helpers;        // the same
     bool lamps = false;                     // whether traffic lights work and people mind them
     float jaywalkers = k_usual_jaywalkers;  // see WorldOptions
+    PastimeShares pastimes;                 // what they do who stay
     bool flat = false;                      // of a course: all in one plane, seen from the side
     std::optional<Vec3> look;               // of a course: where all look who can turn their heads there
     uint64_t seed = 1;

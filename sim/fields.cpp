@@ -8,6 +8,7 @@
 
 #include "sim/base/hash.h"
 #include "sim/crowd/values-inl.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/row_names-inl.h"
 #include "sim/stepping.h"
 
@@ -212,6 +213,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("balls", 'h', static_cast<uint32_t>(hash_balls(w.balls)));
     add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
     add("bystanders", 'h', static_cast<uint32_t>(hash_bystanders(w)));
+    add("pastimes", 'h', static_cast<uint32_t>(hash_pastimes(*w.pastimes)));
     const bool marches = is_on(c.march);
     add("march", 'h', marches ? static_cast<uint32_t>(hash_bytes(1, &c.march.how, sizeof c.march.how)) : 0);
     add("march_pace", 'h', marches ? hash(c.march.pace) : 0);
@@ -230,6 +232,7 @@ uint64_t hash_world(const World& world) {
     if (!world.balls.all.empty()) hash = mix(hash ^ hash_balls(world.balls));
     if (!world.falls.all.empty()) hash = mix(hash ^ hash_falls(world));
     if (!world.bystanders.all.empty()) hash = mix(hash ^ hash_bystanders(world));
+    if (!world.pastimes->all.empty()) hash = mix(hash ^ hash_pastimes(*world.pastimes));
     const std::vector<Vec3>& linkages = world.linkages.places;
     if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);
     const std::vector<Doer>& doers = world.deeds.doers;

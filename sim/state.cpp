@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "sim/base/hash.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/stepping.h"
 
 namespace flaneur {
@@ -28,14 +29,14 @@ struct Head {
     Driven driven{};
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
     uint32_t ways = 0, passages = 0, traffic = 0, downed = 0, falls = 0, tumbles = 0, called = 0;
-    uint32_t bystanders = 0, balls = 0;
+    uint32_t bystanders = 0, balls = 0, pastimes = 0, spare = 0;
     uint32_t successors = 0, next_successor = 0, sent = 0, next_sent = 0, numbered = 0, gone = 0,
              came = 0;  // of Coming
     LimbCurves how{};
     uint32_t marches = 0;
     FigureLead lead{};
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 192, "has no gap at the end");
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 200, "has no gap at the end");
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -79,6 +80,7 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.crowd.downed, head.downed);
     each(w.crowd.called, head.called);
     each(w.bystanders.all, head.bystanders);
+    each(w.pastimes->all, head.pastimes);
     each(w.falls.all, head.falls);
     each(w.balls.all, head.balls);
     each(w.falls.blocks, head.tumbles);
@@ -126,6 +128,7 @@ Head head_of(const World& w) {
     head.called = size(c.called);
     head.bystanders = size(w.bystanders.all);
     head.falls = size(w.falls.all);
+    head.pastimes = size(w.pastimes->all);
     head.balls = size(w.balls.all);
     head.tumbles = size(w.falls.blocks);
     for (uint32_t i = 0; i < c.count; ++i) head.corners += size(corners_ahead(c, i));
@@ -164,8 +167,8 @@ uint64_t state_mark(const World& w) {
     for (size_t size :
          {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
           ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
-          w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(), w.crowd.kerbs.waits.size(),
-          w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
+          w.pastimes->places.seats.size(), w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(),
+          w.crowd.kerbs.waits.size(), w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
           w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
                        w.roam->compound.capsules.size() + 1
                  : 0})

@@ -117,6 +117,14 @@ SceneKey<Scene> mix_key(const char* name, const char* meaning) {
             meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.mix.*Times = v; }};
 }
 
+// how many people do something where they stay.
+template <float PastimeShares::*Share>
+SceneKey<Scene> pastime_key(const char* name, const char* example, const char* meaning) {
+    return {name,    {KeyKind::number, 0, 1},
+            "0",     example,
+            meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.pastimes.*Share = v; }};
+}
+
 // A value that is taken as it stands.
 template <auto Member>
 SceneKey<Scene> plain_key(const char* name, const KeyRule& rule, const char* usual, const char* example,

@@ -224,7 +224,7 @@ Vec2 go_where_called(const Crowd& c, const Called& called) {
     constexpr float k_there = 0.1f, k_slows = 1.6f;  // metres; 1/s
     const Vec2 way = called.to - on_ground(c.motion.position[called.walker]);
     const float far = length(way);
-    if (far < k_there) return {};
+    if (far < k_there || called.speed == 0) return {};
     return way * (std::min(called.speed, k_slows * far) / far);
 }
 

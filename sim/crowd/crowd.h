@@ -91,7 +91,8 @@ struct Downed {
     std::array<LyingPart, k_lying_parts> parts{};
 };
 
-// Who goes straight to a place and stands there, whatever its errand is, until it is called off.
+// Who goes straight to a place and stands there, whatever its errand is, until it is called off. At speed 0
+// it stays where it is, and nobody moves it.
 struct Called {
     uint32_t walker = 0;
     Vec2 to{};        // on the ground plane
@@ -99,7 +100,7 @@ struct Called {
     float speed = 0;  // m/s, at most
 };
 
-// Who they are; constant.
+// Who they are; constant, but for the speed of who does something on the way (sim/pastimes).
 struct CrowdIdentity {
     std::vector<float> preferred_speed;  // metres a second, 0.3 .. 2
     std::vector<float> radius;           // of the body, metres
@@ -379,6 +380,8 @@ bool is_led(const Crowd& crowd, uint32_t walker);
 // called who is driven, down, or comes in or leaves just now.
 void call(Crowd& crowd, const Called& how);
 void call_off(Crowd& crowd, uint32_t walker);
+// Whether it is called to stay where it is, so that nobody moves it.
+bool stays_put(const Crowd& crowd, uint32_t walker);
 // The velocity, m/s, of one who would go with `wanted` and finds somebody lying in its way, a few metres
 // ahead: round the nearer end of who lies there, where the mesh lets it.
 Vec2 round_who_lies(const Crowd& crowd, const Navmesh& mesh, uint32_t walker, Vec2 wanted);

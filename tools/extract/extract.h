@@ -90,6 +90,11 @@ PersonMesh extract_ball();
 void add_balls(const Balls& balls, uint32_t mesh, PeopleFrame& people, float between = 1,
                uint32_t first_id = 0);
 
+// The same of the phones that people have in their hands, whose one mesh comes after the ball.
+PersonMesh extract_phone();
+void add_phones(const World& world, uint32_t mesh, PeopleFrame& people, float between = 1,
+                uint32_t first_id = 0);
+
 struct Troupe;  // of sim/figures/figures.h
 // Adds a world's figures to what extract_people() found, before its linkages: figure i as characters[its
 // kind].

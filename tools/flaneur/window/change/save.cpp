@@ -9,6 +9,7 @@
 
 #include "assets/files/file.h"
 #include "assets/idles.h"
+#include "sim/pastimes/pastimes.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/panels.h"
@@ -55,6 +56,7 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     if (!is_as_opened(v.change)) s.about.clear();  // which tells of the one that was opened
     s.drunk = show.loaded.world->drunk;
     if (s.lamps) s.jaywalkers = show.loaded.world->jaywalkers;
+    s.pastimes = show.loaded.world->pastimes->shares;
     leave_out_nobody(s);
     s.views = show.work_views;
     s.quality = v.quality;
