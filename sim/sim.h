@@ -54,6 +54,7 @@
 #include "sim/lamps/kerbs.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
+#include "sim/pastimes/places.h"
 #include "sim/pose/pose.h"
 
 namespace flaneur {
@@ -139,6 +140,10 @@ struct WorldOptions {
     float acquaintances = 0;
     // Dogs, wheelchairs, white canes, umbrellas and musicians among those who are set down or come in.
     AlongShares along{};
+    // What people do who stay, and where: sit, lean, look at windows, line up, use a phone
+    // (docs/pastimes.md).
+    PastimeShares pastimes{};
+    PastimePlaces pastime_places{};
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 
@@ -188,8 +193,8 @@ bool let_jump(World& world, WalkerId id);
 // changes the speed of one of 70 kg by 0.7 m/s). It sways, or steps, or falls, lies for a moment and gets up:
 // nobody falls whose speed changes by less than k_harmless_push, all do by more than k_felling_push, and
 // between by how it stands to the push, how old, tall and sober it is (sim/fall/balance.h). False if it is
-// gone, comes in or leaves just now, pushes a pram, roams a compound or steps on a course that is flat; on
-// one that is not it holds its own where it would fall off.
+// gone, comes in or leaves just now, pushes a pram, sits or leans at a wall, roams a compound or steps on a
+// course that is flat; on one that is not it holds its own where it would fall off.
 bool push(World& world, WalkerId id, Vec2 impulse);
 // Throws a ball, which pushes whom it hits. Not on a compound, where it would fall for ever.
 void throw_ball(World& world, const Ball& ball);

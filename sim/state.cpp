@@ -8,6 +8,7 @@
 
 #include "sim/alongside/alongside.h"
 #include "sim/base/hash.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/stepping.h"
 
 namespace flaneur {
@@ -30,7 +31,7 @@ struct Head {
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
     uint32_t ways = 0, passages = 0, traffic = 0, downed = 0, falls = 0, tumbles = 0, called = 0;
     uint32_t bystanders = 0, balls = 0, groups = 0, vacant_groups = 0;
-    uint32_t beside = 0, rods = 0, along[5] = {}, spare = 0;
+    uint32_t beside = 0, rods = 0, along[5] = {}, pastimes = 0;
     uint32_t successors = 0, next_successor = 0, sent = 0, next_sent = 0, numbered = 0, gone = 0,
              came = 0;  // of Coming
     LimbCurves how{};
@@ -84,6 +85,7 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.crowd.beside, head.beside);
     each(w.bystanders.all, head.bystanders);
     each(w.company.groups, head.groups);
+    each(w.pastimes->all, head.pastimes);
     each(w.falls.all, head.falls);
     each(w.falls.rods, head.rods);
     if (w.alongside) {
@@ -144,6 +146,7 @@ Head head_of(const World& w) {
     head.groups = size(w.company.groups);
     head.vacant_groups = w.company.vacant;
     head.falls = size(w.falls.all);
+    head.pastimes = size(w.pastimes->all);
     head.balls = size(w.balls.all);
     head.tumbles = size(w.falls.blocks);
     for (uint32_t i = 0; i < c.count; ++i) head.corners += size(corners_ahead(c, i));
@@ -180,14 +183,14 @@ uint64_t state_mark(const World& w) {
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     if (w.alongside) add(w.alongside->players.size());
     const Ground& ground = *w.ground;
-    for (size_t size :
-         {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
-          ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
-          w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(), w.crowd.kerbs.waits.size(),
-          w.company.bearings.size(), w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
-          w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
-                       w.roam->compound.capsules.size() + 1
-                 : 0})
+    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
+                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
+                        w.linkages.places.size(), w.figures.plans.size(), w.deeds.plans.size(),
+                        w.movers.all.size(), w.crowd.kerbs.waits.size(), w.company.bearings.size(),
+                        w.pastimes->places.seats.size(), w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
+                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
+                                     w.roam->compound.capsules.size() + 1
+                               : 0})
         add(static_cast<uint64_t>(size));
     add(ground.low, ground.high);
     return hash;

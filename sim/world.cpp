@@ -12,6 +12,7 @@
 #include "sim/body/pace.h"
 #include "sim/crowd/places.h"
 #include "sim/gait/hands.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/pram.h"
 #include "sim/stepping.h"
@@ -213,6 +214,9 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     take_prams_from_drunks(*world);
     put_drunks_on_platform(*world);
     mind_lamps(*world, options.crossings);
+    world->pastimes = std::make_shared<Pastimes>();
+    set_places(*world->pastimes, options.pastime_places, *world->navmesh, world->crowd);
+    set_shares(*world->pastimes, options.pastimes, world->crowd);
     world->coming.sendings = options.sendings;
     world->coming.home = find_neighbourhood(*world->ground, *world->navmesh, options.walkers);
 
@@ -317,6 +321,7 @@ void end_body(World& w, uint32_t walker) {
     forget_fall(w, walker);
     forget_bystander(w, walker);
     leave_along(w, walker);
+    (void)take_away(w.pastimes->all, walker);
     end_walker(w.gait, walker, w.kinds[0].body, w.seed);
     pose_newcomer(w, walker);
 }
@@ -384,6 +389,7 @@ void make_room(World& w, uint32_t capacity) {
     w.previous_trails.resize(w.poses.size());
     for (size_t block = before; block < w.poses.size(); ++block) w.previous_poses[block] = w.poses[block];
     make_room_to_come(w);
+    set_shares(*w.pastimes, PastimeShares(w.pastimes->shares), w.crowd);
     if (is_on(w.crowd.march)) go_by_curves(w, LimbLead::curves, w.crowd.march.how);
 }
 

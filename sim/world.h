@@ -45,6 +45,7 @@ inline constexpr std::string_view k_stage_names[k_stage_count] = {"come", "think
 
 struct Stepping;   // of stepping.h
 struct Alongside;  // of alongside/alongside.h
+struct Pastimes;   // of pastimes/pastimes.h
 
 struct World {
     std::shared_ptr<const Ground> ground;
@@ -80,6 +81,7 @@ struct World {
     Balls balls;                                      // that are thrown
     Falls falls;                                      // who has been pushed
     Bystanders bystanders;                            // and who minds
+    std::shared_ptr<Pastimes> pastimes;               // what they do who stay; never null
     std::vector<PoseBlock> poses, previous_poses;     // after the last tick and the one before
     std::vector<TrailBlock> trails, previous_trails;  // the same
 

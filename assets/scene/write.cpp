@@ -103,6 +103,8 @@ std::string scene_text(const Scene& s) {
     tell("white_canes", short_number(along.white_canes), along.white_canes > 0);
     tell("umbrellas", short_number(along.umbrellas), along.umbrellas > 0);
     tell("musicians", along.musicians, along.musicians > 0);
+    for (const PastimeKey& of : k_pastimes)
+        tell(of.name, short_number(s.pastimes.*of.share), s.pastimes.*of.share > 0);
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
     if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);

@@ -30,7 +30,8 @@ enum class Purpose : uint32_t {
     fall,
     lamp,
     company,
-    along
+    along,
+    pastime
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

@@ -193,8 +193,8 @@ static WayWish stagger(const Goer& g, float seconds) {
 // As fast as brings one there who is so far from a place that moves on, or stands.
 static Vec2 wish_to_spot(const Fellow& f, Vec2 to) {
     constexpr float k_catches_up_in = 1.1f, k_slows = 1.6f;  // seconds; 1/s
-    constexpr float k_there = 0.1f, k_turns_back = 1.8f;  // metres
-    constexpr float k_least = 0.2f;                       // of the speed, of one who is too far ahead
+    constexpr float k_there = 0.1f, k_turns_back = 1.8f;     // metres
+    constexpr float k_least = 0.2f;                          // of the speed, of one who is too far ahead
     const float drift = length(f.drift), far = length(to);
     if (drift < k_least_going) return far < k_there ? Vec2{} : to * (std::min(f.most, k_slows * far) / far);
     Vec2 wish = f.drift + to / k_catches_up_in;
@@ -268,7 +268,7 @@ Vec2 go_where_called(const Crowd& c, const Called& called) {
     constexpr float k_there = 0.1f, k_slows = 1.6f;  // metres; 1/s
     const Vec2 way = called.to - on_ground(c.motion.position[called.walker]);
     const float far = length(way);
-    if (far < k_there) return {};
+    if (far < k_there || called.speed == 0) return {};
     return way * (std::min(called.speed, k_slows * far) / far);
 }
 

@@ -213,6 +213,11 @@ void call_off(Crowd& c, uint32_t i) {
     go_on_from_here(c, i);
 }
 
+bool stays_put(const Crowd& c, uint32_t i) {
+    const Called* called = c.called.empty() ? nullptr : own_of(c.called, i);
+    return called && called->speed == 0;
+}
+
 // Of those who go by a way only who leads goes to a goal.
 static bool has_goal(const Crowd& c, uint32_t i) {
     if (c.journeys[i].errand != Errand::by_way) return true;

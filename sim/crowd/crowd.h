@@ -93,7 +93,8 @@ struct Downed {
     std::array<LyingPart, k_lying_parts> parts{};
 };
 
-// Who goes straight to a place and stands there, whatever its errand is, until it is called off.
+// Who goes straight to a place and stands there, whatever its errand is, until it is called off. At speed 0
+// it stays where it is, and nobody moves it.
 struct Called {
     uint32_t walker = 0;
     Vec2 to{};        // on the ground plane
@@ -107,7 +108,7 @@ struct GoesBeside {
     Vec2 to{};  // metres from the walker to its middle
 };
 
-// Who they are; constant.
+// Who they are; constant, but for the speed of who does something on the way (sim/pastimes).
 struct CrowdIdentity {
     std::vector<float> preferred_speed;  // metres a second, 0.3 .. 2
     std::vector<float> radius;           // of the body, metres
@@ -389,6 +390,8 @@ bool is_led(const Crowd& crowd, uint32_t walker);
 // called who is driven, down, or comes in or leaves just now.
 void call(Crowd& crowd, const Called& how);
 void call_off(Crowd& crowd, uint32_t walker);
+// Whether it is called to stay where it is, so that nobody moves it.
+bool stays_put(const Crowd& crowd, uint32_t walker);
 // The velocity, m/s, of one who would go with `wanted` and finds somebody lying in its way, a few metres
 // ahead: round the nearer end of who lies there, where the mesh lets it.
 Vec2 round_who_lies(const Crowd& crowd, const Navmesh& mesh, uint32_t walker, Vec2 wanted);

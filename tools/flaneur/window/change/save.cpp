@@ -9,6 +9,7 @@
 
 #include "assets/files/file.h"
 #include "assets/idles.h"
+#include "sim/pastimes/pastimes.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/panels.h"
@@ -58,6 +59,7 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     s.acquaintances = show.loaded.world->company.acquaintances;
     if (s.lamps) s.jaywalkers = show.loaded.world->jaywalkers;
     if (show.loaded.world->alongside) s.along = show.loaded.world->alongside->shares;
+    s.pastimes = show.loaded.world->pastimes->shares;
     leave_out_nobody(s);
     s.views = show.work_views;
     s.quality = v.quality;
