@@ -19,7 +19,7 @@ constexpr float k_off_home = 0.12f;    // hips, of a foot of one who stands
 constexpr float k_own_step = 3.2f;     // shares a second, of a step of its own
 constexpr float k_rides = 9;           // 1/s, critically damped: the trunk over the ground
 constexpr float k_lift = 0.16f;        // hips, that a pad rises in a step
-constexpr float k_sits_ahead = 0.42f;  // withers, that hind feet come ahead to sit
+constexpr float k_sits_ahead = 0.56f;  // withers, that hind feet come ahead to sit
 
 float froude(const Dog& dog, float speed) { return speed * speed / (k_gravity * hip_height(dog)); }
 
