@@ -164,12 +164,17 @@ void shift_feet(Dog& dog, const Surroundings& around, float dt) {
     }
     if (is_any) return;
     int worst = -1;
-    float most = k_off_home * hip_height(dog);
-    for (int leg = 0; leg < 4; ++leg) {
-        const float off = length(on_ground(dog.feet[leg].at) - home_of(dog, leg));
-        if (off > most) most = off, worst = leg;
-    }
+    const float least = k_off_home * hip_height(dog);
+    float most = least;
+    auto off = [&](int leg) { return length(on_ground(dog.feet[leg].at) - home_of(dog, leg)); };
+    for (int leg = 0; leg < 4; ++leg)
+        if (off(leg) > most) most = off(leg), worst = leg;
     if (worst < 0) return;
+    // The foot across the body goes along where it has to soon.
+    const int across = k_hind_right - worst;
+    if (off(across) > 0.5f * least)
+        begin_step(dog.feet[across], on_the_ground(around, home_of(dog, across), dog.feet[across].at.y),
+                   k_own_step);
     begin_step(dog.feet[worst], on_the_ground(around, home_of(dog, worst), dog.feet[worst].at.y), k_own_step);
 }
 
