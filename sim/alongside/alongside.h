@@ -83,8 +83,8 @@ void forget_previous(Alongside& along);
 // From now on people have such company, whoever is there already too. Allocates; between two ticks.
 void keep_company(World& world, const Company& company);
 
-// The same of a world that has company: shares of those who are there are drawn anew; who plays stays. Allocates;
-// between two ticks.
+// The same of a world that has company: shares of those who are there are drawn anew; who plays stays.
+// Allocates; between two ticks.
 void change_company(World& world, const Company& company);
 
 // A walker came, or is gone.

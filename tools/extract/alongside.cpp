@@ -188,7 +188,8 @@ void add_held(Adder& adder, const Companion& c) {
             return adder.add(thing_white_cane, c.walker, at, 1.4f * size, size);
         case Along::umbrella:
             adder.add(thing_umbrella, c.walker, at, 1.2f * size, size);
-            adder.frame.walkers.back().instance.tints[static_cast<size_t>(Tint::top)] = k_cloths[c.walker % std::size(k_cloths)];
+            adder.frame.walkers.back().instance.tints[static_cast<size_t>(Tint::top)] =
+                k_cloths[c.walker % std::size(k_cloths)];
             return;
         case Along::guitar:
             return adder.add(thing_guitar, c.walker, at, 0.9f * size, size);
