@@ -8,6 +8,7 @@
 
 #include "sim/alongside/alongside.h"
 #include "sim/base/hash.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/stepping.h"
 
 namespace flaneur {
@@ -18,7 +19,7 @@ constexpr uint64_t k_mark = 0x61'74'73'2e'72'75'6c'66;  // "flur.sta"
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 6 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 6) + 40 +
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 7) + 40 +
                                    sizeof(Onlookers) + 24 + sizeof(Traffic) + sizeof(March) + sizeof(Kerbs));
 
 // Before all else; how many of each follow.
@@ -29,14 +30,15 @@ struct Head {
     Driven driven{};
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
     uint32_t ways = 0, passages = 0, traffic = 0, downed = 0, falls = 0, tumbles = 0, called = 0;
-    uint32_t bystanders = 0, balls = 0, beside = 0, rods = 0, along[5] = {}, spare = 0;
+    uint32_t bystanders = 0, balls = 0, groups = 0, vacant_groups = 0;
+    uint32_t beside = 0, rods = 0, along[5] = {}, pastimes = 0;
     uint32_t successors = 0, next_successor = 0, sent = 0, next_sent = 0, numbered = 0, gone = 0,
              came = 0;  // of Coming
     LimbCurves how{};
     uint32_t marches = 0;
     FigureLead lead{};
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 224, "has no gap at the end");
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 232, "has no gap at the end");
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -58,6 +60,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     some(d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     some(c.journeys, c.way_back);
     if (minds_lamps(c.kerbs)) some(c.kerbs.waits, c.kerbs.manners);
+    if (is_on(w.company)) some(c.fellows), all(w.company.bearings);
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
     all(w.figures.moves, w.figures.gait.blocks, w.figures.whole);
     all(w.deeds.doers, w.deeds.parcels, w.deeds.leaves, w.deeds.gait.blocks, w.deeds.whole, w.deeds.poses);
@@ -81,6 +84,8 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.crowd.called, head.called);
     each(w.crowd.beside, head.beside);
     each(w.bystanders.all, head.bystanders);
+    each(w.company.groups, head.groups);
+    each(w.pastimes->all, head.pastimes);
     each(w.falls.all, head.falls);
     each(w.falls.rods, head.rods);
     if (w.alongside) {
@@ -138,7 +143,10 @@ Head head_of(const World& w) {
         for_each_list(*w.alongside, [&](const auto& list) { head.along[k++] = size(list); });
     }
     head.bystanders = size(w.bystanders.all);
+    head.groups = size(w.company.groups);
+    head.vacant_groups = w.company.vacant;
     head.falls = size(w.falls.all);
+    head.pastimes = size(w.pastimes->all);
     head.balls = size(w.balls.all);
     head.tumbles = size(w.falls.blocks);
     for (uint32_t i = 0; i < c.count; ++i) head.corners += size(corners_ahead(c, i));
@@ -175,14 +183,14 @@ uint64_t state_mark(const World& w) {
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     if (w.alongside) add(w.alongside->players.size());
     const Ground& ground = *w.ground;
-    for (size_t size :
-         {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
-          ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
-          w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(), w.crowd.kerbs.waits.size(),
-          w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
-          w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
-                       w.roam->compound.capsules.size() + 1
-                 : 0})
+    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
+                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
+                        w.linkages.places.size(), w.figures.plans.size(), w.deeds.plans.size(),
+                        w.movers.all.size(), w.crowd.kerbs.waits.size(), w.company.bearings.size(),
+                        w.pastimes->places.seats.size(), w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
+                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
+                                     w.roam->compound.capsules.size() + 1
+                               : 0})
         add(static_cast<uint64_t>(size));
     add(ground.low, ground.high);
     return hash;
@@ -242,6 +250,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     c.widest = head->widest;
     c.scratch.strays = head->strays;
     c.driven = head->driven;
+    w.company.vacant = head->vacant_groups;
     c.march.how = head->how;
     w.figures.lead = head->lead;
     c.count = head->count;

@@ -18,6 +18,7 @@
 #include "sim/body/personality.h"
 #include "sim/bystanders.h"
 #include "sim/coming/coming.h"
+#include "sim/company/company.h"
 #include "sim/crowd/crowd.h"
 #include "sim/deeds/deeds.h"
 #include "sim/falls.h"
@@ -44,6 +45,7 @@ inline constexpr std::string_view k_stage_names[k_stage_count] = {"come", "think
 
 struct Stepping;   // of stepping.h
 struct Alongside;  // of alongside/alongside.h
+struct Pastimes;   // of pastimes/pastimes.h
 
 struct World {
     std::shared_ptr<const Ground> ground;
@@ -65,6 +67,7 @@ struct World {
     void (*drive)(World& world) = nullptr;  // moves everybody by a tick; see step.cpp
     Coming coming;
     Crowd crowd;
+    Company company;             // who goes with whom; mostly of nobody
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Herd herd;                   // creatures among people in a city; mostly none
     Linkages linkages;           // that are no people; mostly none
@@ -78,6 +81,7 @@ struct World {
     Balls balls;                                      // that are thrown
     Falls falls;                                      // who has been pushed
     Bystanders bystanders;                            // and who minds
+    std::shared_ptr<Pastimes> pastimes;               // what they do who stay; never null
     std::vector<PoseBlock> poses, previous_poses;     // after the last tick and the one before
     std::vector<TrailBlock> trails, previous_trails;  // the same
 

@@ -30,9 +30,8 @@ std::optional<Along> draw(const World& w, uint32_t i) {
     if (kind.age < k_youngest || kind.body.cane != Vec3{} || kind.body.pram != Vec3{} ||
         is_creature(w.herd, i) || is_led(w.crowd, i) || passage_by_door(w.crowd, i))
         return std::nullopt;
-    const Company& c = w.alongside->company;
-    const RandomKey key{w.seed, person_number(w.crowd, {i, w.crowd.slots.generation[i]}), 0,
-                        Purpose::company};
+    const AlongShares& c = w.alongside->shares;
+    const RandomKey key{w.seed, person_number(w.crowd, {i, w.crowd.slots.generation[i]}), 0, Purpose::along};
     float chance = random_unit(key);
     auto falls_to = [&](float share) { return (chance -= share) < 0; };
     if (falls_to(c.dogs)) return Along::dog;
@@ -70,7 +69,7 @@ void take_along(World& w, uint32_t i, Along what) {
         put(w.crowd.beside, GoesBeside{i, {}});
     } else if (what == Along::wheelchair) {
         put(a.chairs, make_chair(w, i));
-        const RandomKey key{w.seed, i, w.crowd.slots.generation[i], Purpose::company};
+        const RandomKey key{w.seed, i, w.crowd.slots.generation[i], Purpose::along};
         who.ahead[i] = k_axle_to_middle + 0.02f;
         who.radius[i] = k_chair_radius;
         who.preferred_speed[i] = random_between(key, k_slowest_chair, k_fastest_chair, 1);
@@ -89,14 +88,14 @@ size_t room_for(const World& w, float share) {
 // Where it allocates, so that ticks do not.
 void make_room_for(World& w) {
     Alongside& a = *w.alongside;
-    const size_t dogs = room_for(w, a.company.dogs), chairs = room_for(w, a.company.wheelchairs);
+    const size_t dogs = room_for(w, a.shares.dogs), chairs = room_for(w, a.shares.wheelchairs);
     a.dogs.reserve(dogs), a.previous_dogs.reserve(dogs);
     w.crowd.beside.reserve(dogs + k_most_musicians);
     a.chairs.reserve(chairs), a.previous_chairs.reserve(chairs);
-    a.companions.reserve(dogs + chairs + room_for(w, a.company.white_canes) +
-                         room_for(w, a.company.umbrellas) + k_most_musicians);
+    a.companions.reserve(dogs + chairs + room_for(w, a.shares.white_canes) + room_for(w, a.shares.umbrellas) +
+                         k_most_musicians);
     constexpr size_t k_most_listeners = 12;
-    a.listeners.reserve(a.company.musicians * k_most_listeners);
+    a.listeners.reserve(a.shares.musicians * k_most_listeners);
     w.crowd.called.reserve(w.crowd.called.capacity() + a.listeners.capacity() + dogs);
 }
 
@@ -128,46 +127,46 @@ bool can_be_called(const World& w, uint32_t i) {
            w.gait.blocks[i / k_block].jump[i % k_block] == 0;
 }
 
-void keep_company(World& w, const Company& company) {
-    if (!is_any(company)) return;
+void let_go_along(World& w, const AlongShares& shares) {
+    if (!is_any(shares)) return;
     w.alongside = std::make_shared<Alongside>();
     Alongside& a = *w.alongside;
-    a.company = company;
-    a.company.musicians = std::min(company.musicians, k_most_musicians);
+    a.shares = shares;
+    a.shares.musicians = std::min(shares.musicians, k_most_musicians);
     make_room_for(w);
-    for (const WalkerId id : std::vector<WalkerId>(w.crowd.slots.living)) join_company(w, id.index);
+    for (const WalkerId id : std::vector<WalkerId>(w.crowd.slots.living)) join_along(w, id.index);
     set_players(w);
     pose_alongside(w);
     w.previous_poses = w.poses;
     forget_previous(a);
 }
 
-void change_company(World& w, const Company& company) {
+void change_along(World& w, const AlongShares& shares) {
     Alongside& a = *w.alongside;
-    const uint32_t musicians = a.company.musicians;
-    a.company = company;
-    a.company.musicians = musicians;
+    const uint32_t musicians = a.shares.musicians;
+    a.shares = shares;
+    a.shares.musicians = musicians;
     for (const Companion& c : std::vector<Companion>(a.companions)) {
         if (c.what > Along::umbrella) continue;
         const Dog* dog = own_of(a.dogs, c.walker);
         if (dog && dog->does == static_cast<uint32_t>(DogDoes::sniffs)) call_off(w.crowd, c.walker);
         if (c.what == Along::wheelchair) stand_up(w, c.walker);
-        leave_company(w, c.walker);
+        leave_along(w, c.walker);
     }
     make_room_for(w);
-    for (const WalkerId id : std::vector<WalkerId>(w.crowd.slots.living)) join_company(w, id.index);
+    for (const WalkerId id : std::vector<WalkerId>(w.crowd.slots.living)) join_along(w, id.index);
     forget_previous(a);
 }
 
-void join_company(World& w, uint32_t walker) {
+void join_along(World& w, uint32_t walker) {
     if (!w.alongside) return;
     const Companion* own = own_of(w.alongside->companions, walker);
     if (own && own->generation == w.crowd.slots.generation[walker]) return;
-    leave_company(w, walker);
+    leave_along(w, walker);
     if (const auto what = draw(w, walker)) take_along(w, walker, *what);
 }
 
-void leave_company(World& w, uint32_t walker) {
+void leave_along(World& w, uint32_t walker) {
     if (!w.alongside) return;
     Alongside& a = *w.alongside;
     (void)take_away(a.companions, walker);
@@ -179,7 +178,7 @@ void leave_company(World& w, uint32_t walker) {
 
 void think_alongside(World& w) {
     if (!w.alongside) return;
-    // Doors are too narrow for company: one comes and goes as who pushes a pram.
+    // Doors are too narrow for what goes along: one comes and goes as who pushes a pram.
     for (const Companion& c : w.alongside->companions) w.crowd.journeys[c.walker].door_tries = 0;
     think_dogs(w);
     think_music(w);
@@ -234,7 +233,7 @@ const Companion* companion_of(const World& w, uint32_t walker) {
     return w.alongside ? own_of(w.alongside->companions, walker) : nullptr;
 }
 
-std::string_view told_company(const World& w, uint32_t walker) {
+std::string_view told_along(const World& w, uint32_t walker) {
     if (!w.alongside) return "";
     if (const Companion* c = own_of(w.alongside->companions, walker)) {
         if (c->what == Along::dog) {

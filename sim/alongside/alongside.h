@@ -1,14 +1,14 @@
 // What goes along with the people of a world: dogs on leads, wheelchairs, white canes, umbrellas; and those
 // who play on squares, with those who listen. Who has what is drawn for each by chance as it comes
-// (company.h); all else of them, crowd and gait, is as of anybody.
+// (shares.h); all else of them, crowd and gait, is as of anybody.
 #pragma once
 
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "sim/alongside/company.h"
 #include "sim/alongside/dog.h"
+#include "sim/alongside/shares.h"
 #include "sim/movers/movers.h"
 
 namespace flaneur {
@@ -55,7 +55,7 @@ struct Listener {
 };
 
 struct Alongside {
-    Company company;
+    AlongShares shares;
     // Each by walker, but for players, who keep their order.
     std::vector<Companion> companions;
     std::vector<Dog> dogs;
@@ -80,16 +80,16 @@ uint64_t hash_alongside(const Alongside& along);
 // After those were written over.
 void forget_previous(Alongside& along);
 
-// From now on people have such company, whoever is there already too. Allocates; between two ticks.
-void keep_company(World& world, const Company& company);
+// From now on such things go along with people, whoever is there already too. Allocates; between two ticks.
+void let_go_along(World& world, const AlongShares& shares);
 
-// The same of a world that has company: shares of those who are there are drawn anew; who plays stays.
+// The same of a world in which they do: shares of those who are there are drawn anew; who plays stays.
 // Allocates; between two ticks.
-void change_company(World& world, const Company& company);
+void change_along(World& world, const AlongShares& shares);
 
 // A walker came, or is gone.
-void join_company(World& world, uint32_t walker);
-void leave_company(World& world, uint32_t walker);
+void join_along(World& world, uint32_t walker);
+void leave_along(World& world, uint32_t walker);
 
 // The mesh has been exchanged.
 void find_dogs_anew(World& world);
@@ -104,7 +104,7 @@ void pose_alongside(World& world);
 // What one has with it; null: nothing.
 const Companion* companion_of(const World& world, uint32_t walker);
 // What one does with it, in words: "walks a dog"; empty: nothing.
-std::string_view told_company(const World& world, uint32_t walker);
+std::string_view told_along(const World& world, uint32_t walker);
 
 // Where the middle of a palm is, by a walker's joints between two ticks.
 Vec3 palm_between(const World& world, uint32_t walker, Side side, float between);

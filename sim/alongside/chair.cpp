@@ -107,7 +107,7 @@ float chair_size(const World& w, uint32_t i) {
 Chair make_chair(const World& w, uint32_t i) {
     Chair c;
     c.walker = i;
-    const RandomKey key{w.seed, i, w.crowd.slots.generation[i], Purpose::company};
+    const RandomKey key{w.seed, i, w.crowd.slots.generation[i], Purpose::along};
     c.push = random_between(key, 0, k_pushes, 2);
     const Under under = ground_under(w, i, chair_size(w, i));
     c.height = under.axle, c.pitch = under.pitch, c.roll = under.roll;

@@ -61,7 +61,7 @@ bool has_room_before(const World& w, Vec3 at, Vec2 facing) {
 }
 
 std::optional<NavPoint> place_to_play(const World& w, uint32_t number, uint32_t tries) {
-    const RandomKey key{w.seed, number, tries, Purpose::company};
+    const RandomKey key{w.seed, number, tries, Purpose::along};
     const auto& squares = w.crowd.demand.attractions[static_cast<size_t>(DestinationKind::square)];
     if (!squares.empty() && tries < 60) return squares[random_bits(key, 22) % squares.size()].place;
     const NavPoint place =
@@ -97,7 +97,7 @@ void set_player(World& w, uint32_t number) {
     for (uint32_t tries = 0; tries < 120; ++tries) {
         const auto place = place_to_play(w, number, tries);
         if (!place || is_near_others(w, on_ground(place->position))) continue;
-        const RandomKey key{w.seed, number, tries, Purpose::company};
+        const RandomKey key{w.seed, number, tries, Purpose::along};
         const Vec2 facing = open_way(w, place->position, key);
         if (!has_room_before(w, place->position, facing)) continue;
         const Result<WalkerId> id = add_walker(
@@ -105,7 +105,7 @@ void set_player(World& w, uint32_t number) {
         if (!id) continue;
         Alongside& a = *w.alongside;
         const uint32_t i = id->index;
-        leave_company(w, i);
+        leave_along(w, i);
         const auto what = static_cast<Along>(static_cast<uint32_t>(Along::guitar) + number % 3);
         a.companions.insert(take_away(a.companions, i), Companion{i, id->generation, what, 1});
         const Vec2 at = on_ground(w.crowd.motion.position[i]);
@@ -153,7 +153,7 @@ void call_listeners(World& w, uint32_t number) {
         if (a.listeners.size() == a.listeners.capacity()) return;
         const Vec2 to = on_ground(w.crowd.motion.position[i]) - p.at;
         // Once for each whom the music reaches while it is on a trip.
-        const RandomKey key{w.seed, i, w.crowd.journeys[i].trip * 31 + number, Purpose::company};
+        const RandomKey key{w.seed, i, w.crowd.journeys[i].trip * 31 + number, Purpose::along};
         const bool would = random_unit(key, 41) < k_stops * (1 + 0.3f * personality_of(w, i).openness);
         if (!would || dot(to, p.facing) < -0.2f * length(to) || own_of(a.listeners, i) ||
             own_of(a.companions, i) || is_creature(w.herd, i) || w.crowd.identity.ahead[i] > 0 ||
@@ -236,10 +236,10 @@ void play_on(Player& p) {
 
 void set_players(World& w) {
     Alongside& a = *w.alongside;
-    if (a.company.musicians == 0) return;
-    make_room(w, static_cast<uint32_t>(w.crowd.slots.living.size()) + a.company.musicians);
-    a.players.reserve(a.company.musicians);
-    for (uint32_t n = 0; n < a.company.musicians; ++n) set_player(w, n);
+    if (a.shares.musicians == 0) return;
+    make_room(w, static_cast<uint32_t>(w.crowd.slots.living.size()) + a.shares.musicians);
+    a.players.reserve(a.shares.musicians);
+    for (uint32_t n = 0; n < a.shares.musicians; ++n) set_player(w, n);
 }
 
 void think_music(World& w) {

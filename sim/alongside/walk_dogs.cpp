@@ -41,7 +41,7 @@ void set_does(Dog& dog, DogDoes does, uint32_t tick, float seconds) {
 }
 
 RandomKey key_of(const World& w, const Dog& dog, uint32_t when) {
-    return {w.seed, dog.walker, dog.generation + 131 * when, Purpose::company};
+    return {w.seed, dog.walker, dog.generation + 131 * when, Purpose::along};
 }
 
 // The nearest thin thing beside its way that it likes, by chance once for each.
@@ -285,7 +285,7 @@ Dog make_dog(const World& w, uint32_t i, int thread) {
     const CrowdMotion& m = w.crowd.motion;
     Dog dog;
     dog.walker = i, dog.generation = w.crowd.slots.generation[i];
-    const RandomKey key{w.seed, i, dog.generation, Purpose::company};
+    const RandomKey key{w.seed, i, dog.generation, Purpose::along};
     dog.breed = static_cast<Breed>(random_bits(key, 11) % k_breeds);
     dog.coat = static_cast<uint32_t>(random_bits(key, 12) % 16);
     dog.size = random_between(key, 0.92f, 1.08f, 13);

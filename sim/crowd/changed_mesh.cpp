@@ -124,6 +124,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.next_path = c.next_path;
     wider.demand = std::move(c.demand);
     wider.traffic = std::move(c.traffic);
+    wider.fellows = std::move(c.fellows);
     wider.driven = c.driven;
     mind_lamps(wider.kerbs, c.kerbs.map, capacity);
     keep_all(wider.kerbs, c.kerbs, &Kerbs::waits, &Kerbs::manners);

@@ -228,8 +228,9 @@ static void shift_led(Crowd& c, uint32_t at, float dt) {
 static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, float dt) {
     uint32_t i = c.scratch.seen.all[at].id;
     CrowdMotion& m = c.motion;
-    if (is_down(c, i)) {
+    if (is_down(c, i) || stays_put(c, i)) {
         m.velocity[i] = m.wish[i] = {};
+        if (stays_put(c, i)) m.turn_rate[i] = 0;
         return;
     }
     if (is_led(c, i)) return shift_led(c, at, dt);

@@ -90,9 +90,13 @@ PersonMesh extract_ball();
 void add_balls(const Balls& balls, uint32_t mesh, PeopleFrame& people, float between = 1,
                uint32_t first_id = 0);
 
-struct World;
+// The same of the phones that people have in their hands, whose one mesh comes after the ball.
+PersonMesh extract_phone();
+void add_phones(const World& world, uint32_t mesh, PeopleFrame& people, float between = 1,
+                uint32_t first_id = 0);
+
 // The same of what goes along with a world's people: dogs, wheelchairs, instruments and the like; they come
-// after the ball. None where nobody has company.
+// after the phone. None where nobody has company.
 std::vector<PersonMesh> extract_alongside(const World& world);
 void add_alongside(const World& world, uint32_t first_mesh, PeopleFrame& people, float between = 1);
 

@@ -21,7 +21,7 @@ std::unique_ptr<World> with_dogs(Ground ground, uint64_t seed, float dogs, uint3
         ground.obstacles.push_back({{x, 0, x > 0 ? 3.0f : -6.5f}, 0, {0.12f, 0.12f}});
     index_ground(ground);
     WorldOptions options{.walkers = walkers, .seed = seed, .threads = threads};
-    options.company.dogs = dogs;
+    options.along.dogs = dogs;
     auto world = make_world(std::make_shared<const Ground>(std::move(ground)), options);
     EXPECT_TRUE(world) << world.error().message;
     return std::move(*world);
@@ -143,21 +143,21 @@ TEST(Dogs, TakeNoMemoryInATick) {
     EXPECT_EQ(allocations(), before);
 }
 
-TEST(Company, NobodyHasWhereNoneIsAskedFor) {
+TEST(AlongShares, NobodyHasWhereNoneIsAskedFor) {
     auto world = with_dogs(square(24), 3, 0, 12);
     EXPECT_EQ(world->alongside, nullptr);
 }
 
-TEST(Company, WhoIsGoneTakesItAlong) {
+TEST(AlongShares, WhoIsGoneTakesItAlong) {
     auto world = with_dogs(square(24), 3, 1, 8);
     const size_t dogs = world->alongside->dogs.size();
     ASSERT_GT(dogs, 0u);
     const uint32_t owner = world->alongside->dogs.front().walker;
     const WalkerId id{owner, world->crowd.slots.generation[owner]};
-    EXPECT_EQ(told_company(*world, owner), "walks a dog");
+    EXPECT_EQ(told_along(*world, owner), "walks a dog");
     ASSERT_TRUE(remove_walker(*world, id));
     EXPECT_EQ(world->alongside->dogs.size(), dogs - 1);
-    EXPECT_EQ(told_company(*world, owner), "");
+    EXPECT_EQ(told_along(*world, owner), "");
     for (int tick = 0; tick < 30; ++tick) step(*world);
 }
 

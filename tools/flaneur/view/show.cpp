@@ -54,7 +54,7 @@ Result<void> check_messages(uint32_t messages) {
 bool is_dark(const Sun& sun, bool is_overcast) { return make_daylight(sun, is_overcast).lamps > 0; }
 bool is_dark(const Show& show) { return is_dark(show.sun, show.is_overcast); }
 
-// Its city, its people, and then its movers, linkages, the ball, and what goes along with people.
+// Its city, its people, and then its movers, linkages, the ball, the phone, and what goes along with people.
 static SceneMeshes extract_show(const Show& show) {
     SceneMeshes meshes = extract_scene(*show.loaded.city, show.loaded.characters);
     for (PersonMesh& mover : extract_movers(show.loaded.world->movers))
@@ -62,6 +62,7 @@ static SceneMeshes extract_show(const Show& show) {
     for (PersonMesh& linkage : extract_linkages(show.loaded.world->linkages))
         meshes.people.push_back(std::move(linkage));
     meshes.people.push_back(extract_ball());
+    meshes.people.push_back(extract_phone());
     for (PersonMesh& thing : extract_alongside(*show.loaded.world)) meshes.people.push_back(std::move(thing));
     return meshes;
 }
@@ -164,7 +165,9 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
                  static_cast<uint32_t>(world.figures.plans.size()));
     add_balls(world.balls, characters + movers + static_cast<uint32_t>(world.linkages.all.size()),
               show.people, between, movers);
-    add_alongside(world, characters + movers + static_cast<uint32_t>(world.linkages.all.size()) + 1,
+    add_phones(world, characters + movers + static_cast<uint32_t>(world.linkages.all.size()) + 1, show.people,
+               between, movers + k_most_balls);
+    add_alongside(world, characters + movers + static_cast<uint32_t>(world.linkages.all.size()) + 2,
                   show.people, between);
     add_doers(world.deeds, show.loaded.characters, show.people, between,
               static_cast<uint32_t>(world.figures.plans.size() + world.linkages.all.size()));

@@ -11,14 +11,14 @@ namespace flaneur {
 void lay_out_alongside(Show& show, Viewer& v, float scale) {
     World& world = *show.loaded.world;
     if (!world.alongside) return;
-    Company company = world.alongside->company;
-    bool is_moved = slide_share("walk a dog", company.dogs, scale);
-    is_moved |= slide_share("in a wheelchair", company.wheelchairs, scale);
-    is_moved |= slide_share("with a white cane", company.white_canes, scale);
-    is_moved |= slide_share("under an umbrella", company.umbrellas, scale);
+    AlongShares shares = world.alongside->shares;
+    bool is_moved = slide_share("walk a dog", shares.dogs, scale);
+    is_moved |= slide_share("in a wheelchair", shares.wheelchairs, scale);
+    is_moved |= slide_share("with a white cane", shares.white_canes, scale);
+    is_moved |= slide_share("under an umbrella", shares.umbrellas, scale);
     tip("of the grown ones whose hands are free");
     if (!is_moved) return;
-    change_company(world, company);
+    change_along(world, shares);
     changed_by_hand(v.time, world);
 }
 

@@ -17,6 +17,7 @@
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/change/lamps.h"
+#include "tools/flaneur/window/change/pastimes.h"
 #include "tools/flaneur/window/change/platform.h"
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
@@ -368,6 +369,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_drink(show, v, scale);
     lay_out_lamps(show, v, scale);
     lay_out_alongside(show, v, scale);
+    lay_out_pastimes(show, v, scale);
     if (!show.loaded.world->roam && !is_on_course(*show.loaded.world)) {
         ImGui::Spacing();
         lay_out_tools(v, scale);

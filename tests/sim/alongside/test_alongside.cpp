@@ -13,7 +13,7 @@
 namespace flaneur {
 namespace {
 
-std::unique_ptr<World> with(Company company, uint64_t seed, uint32_t walkers, Ground ground = square(30)) {
+std::unique_ptr<World> with(AlongShares shares, uint64_t seed, uint32_t walkers, Ground ground = square(30)) {
     index_ground(ground);
     WorldOptions options{.walkers = walkers, .seed = seed, .threads = 1};
     options.kinds = {{standard_body(1.72f)}, {standard_body(1.60f), 1, 40, true}, {standard_body(1.86f)}};
@@ -21,7 +21,7 @@ std::unique_ptr<World> with(Company company, uint64_t seed, uint32_t walkers, Gr
     for (const float x : {-8.0f, 8.0f})
         for (const float z : {-8.0f, 0.0f, 8.0f})
             options.destinations.push_back({DestinationKind::square, {x, 0, z}, {0, 1}, 1});
-    options.company = company;
+    options.along = shares;
     auto world = make_world(std::make_shared<const Ground>(std::move(ground)), options);
     EXPECT_TRUE(world) << world.error().message;
     return std::move(*world);
