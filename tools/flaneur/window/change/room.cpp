@@ -13,6 +13,7 @@
 #include "sim/stepping.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
+#include "tools/flaneur/window/change/alongside.h"
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/change/lamps.h"

@@ -14,7 +14,4 @@ void lay_out_who(Show& show, Viewer& viewer, float scale);
 
 std::span<const Action> who_actions();
 
-// How many walk dogs, go in wheelchairs and so on; nothing in a world that was made without any of that.
-void lay_out_alongside(Show& show, Viewer& viewer, float scale);
-
 }  // namespace flaneur
