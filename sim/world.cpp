@@ -366,6 +366,7 @@ void change_ground(World& w, std::shared_ptr<const Ground> ground, NavmeshPtr me
     w.crowd.demand = make_demand(destinations, ground->low, ground->high, *mesh, w.crowd.demand.hour,
                                  w.crowd.demand.leaving);
     w.navmesh = std::move(mesh);
+    find_dogs_anew(w);
     w.ground = std::move(ground);
     if (minds_lamps(w.crowd.kerbs)) mind_lamps(w, Crossings(w.crowd.kerbs.map->crossings));
     if (answers_itself) w.around = surroundings_of(*w.ground);

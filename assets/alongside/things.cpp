@@ -45,7 +45,7 @@ struct Maker {
     }
 };
 
-constexpr uint32_t k_steel = rgb(0x8c9094), k_black = rgb(0x1f1f21), k_wood = rgb(0x8a5a30);
+constexpr uint32_t k_steel = rgb(0x8c9094), k_black = rgb(0x1f1f21);
 
 void add_wheel(Maker& m, float out, uint8_t joint) {
     const Vec3 axle{out, 0, 0};

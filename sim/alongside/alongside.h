@@ -91,6 +91,9 @@ void change_along(World& world, const AlongShares& shares);
 void join_along(World& world, uint32_t walker);
 void leave_along(World& world, uint32_t walker);
 
+// The mesh has been exchanged.
+void find_dogs_anew(World& world);
+
 // Before the crowd's tick: who waits for a dog, and who stops to listen.
 void think_alongside(World& world);
 // After it: where dogs and wheels are.

@@ -40,15 +40,19 @@ Under ground_under(const World& w, uint32_t i, float size) {
     const Vec2 way = heading_direction(m.heading[i]), left = left_of(way) * (0.5f * k_chair_track * size);
     const Vec2 ahead = way * (k_casters * size);
     const Vec2 p = on_ground(at);
-    const Vec3 points[] = {at_height(p + left, at.y), at_height(p - left, at.y),
+    const Vec3 points[] = {at_height(p + left, at.y),
+                           at_height(p - left, at.y),
                            at_height(p + ahead + left * 0.7f, at.y),
-                           at_height(p + ahead - left * 0.7f, at.y)};
-    std::optional<GroundHit> hits[4];
+                           at_height(p + ahead - left * 0.7f, at.y),
+                           at_height(p + way * (0.28f * size), at.y),
+                           at_height(p - way * (0.14f * size), at.y)};
+    std::optional<GroundHit> hits[6];
     ground_at(w.around, points, 0.5f, 1, hits);
-    float high[4];
-    for (int k = 0; k < 4; ++k) high[k] = hits[k] ? hits[k]->height : at.y;
+    float high[6];
+    for (int k = 0; k < 6; ++k) high[k] = hits[k] ? hits[k]->height : at.y;
     const float rear = 0.5f * (high[0] + high[1]), front = 0.5f * (high[2] + high[3]);
-    return {rear, clamp(arctan2(front - rear, k_casters * size), -0.3f, 0.3f),
+    // Over an edge it rises before it, and comes down behind it.
+    return {std::max({rear, high[4], high[5]}), clamp(arctan2(front - rear, k_casters * size), -0.3f, 0.3f),
             clamp(arctan2(high[0] - high[1], k_chair_track * size), -0.3f, 0.3f)};
 }
 
@@ -72,7 +76,6 @@ void roll(const World& w, Chair& c) {
     const Under under = ground_under(w, i, size);
     c.height_rate += ((under.axle - c.height) * k_rides - 2 * c.height_rate) * (k_rides * k_tick);
     c.height += c.height_rate * k_tick;
-    c.height = std::max(c.height, under.axle - 0.015f);
     c.pitch += (under.pitch - c.pitch) * std::min(6 * k_tick, 1.0f);
     c.roll += (under.roll - c.roll) * std::min(6 * k_tick, 1.0f);
 }

@@ -12,14 +12,16 @@ namespace {
 constexpr float k_up = 0.45f, k_down = 0.8f;             // metres in which ground is looked for
 constexpr float k_walks_at = 0.38f, k_trots_at = 0.62f;  // Froude numbers
 constexpr float k_walk_lag = 0.22f, k_trot_lag = 0.5f;
-constexpr float k_short = 0.875f;      // of who keeps by somebody: short quick strides
-constexpr float k_dragged = 0.6f;      // hips behind home, where a foot leaves before its time
+constexpr float k_short = 0.875f;  // of who keeps by somebody: short quick strides
+// Hips that a foot may be behind its home or aside of it while the other one of its end stands, and at all,
+// for it not to leave before its time.
+constexpr float k_behind = 0.52f, k_aside = 0.22f, k_away = 0.68f;
 constexpr float k_still = 0.06f;       // m/s
 constexpr float k_off_home = 0.12f;    // hips, of a foot of one who stands
 constexpr float k_own_step = 3.2f;     // shares a second, of a step of its own
 constexpr float k_rides = 9;           // 1/s, critically damped: the trunk over the ground
 constexpr float k_lift = 0.16f;        // hips, that a pad rises in a step
-constexpr float k_sits_ahead = 0.42f;  // withers, that hind feet come ahead to sit
+constexpr float k_sits_ahead = 0.56f;  // withers, that hind feet come ahead to sit
 
 float froude(const Dog& dog, float speed) { return speed * speed / (k_gravity * hip_height(dog)); }
 
@@ -112,6 +114,17 @@ void begin_step(DogFoot& foot, Vec3 to, float pace) {
     foot.pace = pace;
 }
 
+// One that would be dragged, as in a narrow bend, leaves early.
+bool is_dragged(const Dog& dog, int leg) {
+    constexpr int k_mate[] = {k_fore_right, k_fore_left, k_hind_right, k_hind_left};
+    const Vec2 off = home_of(dog, leg) - on_ground(dog.feet[leg].at),
+               way = normalize_or(dog.velocity, {0, 0});
+    const float h = hip_height(dog);
+    if (length(off) > k_away * h) return true;
+    const bool is_far = dot(off, way) > k_behind * h || std::fabs(cross(off, way)) > k_aside * h;
+    return is_far && stands(dog.feet[k_mate[leg]]);
+}
+
 // Feet of one who goes: each as its phase has it.
 void stride_on(Dog& dog, const Rhythm& rhythm, const Surroundings& around, float dt) {
     const float lift = k_lift * hip_height(dog);
@@ -120,18 +133,14 @@ void stride_on(Dog& dog, const Rhythm& rhythm, const Surroundings& around, float
         const float phase = phase_of(dog, leg);
         const float swings = (1 - dog.duty) / std::max(rhythm.frequency, 0.4f);  // seconds
         if (stands(foot)) {
-            // One that would be dragged leaves early.
-            const float behind =
-                dot(home_of(dog, leg) - on_ground(foot.at), normalize_or(dog.velocity, {0, 0}));
-            const bool is_far = behind > k_dragged * hip_height(dog) && phase > 0.5f * dog.duty;
-            if (phase < dog.duty && !is_far) continue;
+            if (phase < dog.duty && !is_dragged(dog, leg)) continue;
             begin_step(foot, landing_of(dog, leg, swings, rhythm.stance, around), 0);
         }
         // Of the swing, by its phase; one that began late hurries.
         const float due = phase < dog.duty ? 1 : 1 - (1 - phase) / (1 - dog.duty);
         const float late = std::max(due - foot.share, 0.0f);
         foot.share =
-            std::min(foot.share + dt / std::max(swings, dt) * (0.95f + std::min(2.5f * late, 0.9f)), 1.0f);
+            std::min(foot.share + dt / std::max(swings, dt) * (0.95f + std::min(1.2f * late, 0.35f)), 1.0f);
         const float seconds = (1 - foot.share) * swings;
         // One that comes late stands shorter.
         const float rests = phase < dog.duty ? (dog.duty - phase) / std::max(rhythm.frequency, 0.4f) - seconds
@@ -164,12 +173,17 @@ void shift_feet(Dog& dog, const Surroundings& around, float dt) {
     }
     if (is_any) return;
     int worst = -1;
-    float most = k_off_home * hip_height(dog);
-    for (int leg = 0; leg < 4; ++leg) {
-        const float off = length(on_ground(dog.feet[leg].at) - home_of(dog, leg));
-        if (off > most) most = off, worst = leg;
-    }
+    const float least = k_off_home * hip_height(dog);
+    float most = least;
+    auto off = [&](int leg) { return length(on_ground(dog.feet[leg].at) - home_of(dog, leg)); };
+    for (int leg = 0; leg < 4; ++leg)
+        if (off(leg) > most) most = off(leg), worst = leg;
     if (worst < 0) return;
+    // The foot across the body goes along where it has to soon.
+    const int across = k_hind_right - worst;
+    if (off(across) > 0.5f * least)
+        begin_step(dog.feet[across], on_the_ground(around, home_of(dog, across), dog.feet[across].at.y),
+                   k_own_step);
     begin_step(dog.feet[worst], on_the_ground(around, home_of(dog, worst), dog.feet[worst].at.y), k_own_step);
 }
 

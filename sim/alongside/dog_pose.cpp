@@ -91,8 +91,8 @@ void pose_trunk(const Dog& dog, DogPose& pose, Trunk& t) {
     if (sits > 0) {
         // Down behind its hind pads, the trunk held up by the fore legs.
         const Vec3 pads = (dog.feet[k_hind_left].at + dog.feet[k_hind_right].at) * 0.5f;
-        const Vec3 seat = pads + Vec3{0, 0.30f * w, 0} - t.ahead * (0.17f * w);
-        const float high = dog.fore + 0.83f * w - seat.y;
+        const Vec3 seat = pads + Vec3{0, 0.27f * w, 0} - t.ahead * (0.36f * w);
+        const float high = dog.fore + 0.77f * w - seat.y;
         const Vec3 up = seat + Vec3{0, high, 0} +
                         t.ahead * std::sqrt(std::max(spine * spine - high * high, 0.02f * w * w));
         pelvis = lerp(pelvis, seat, sits);
@@ -119,10 +119,10 @@ void pose_head(const Dog& dog, DogPose& pose, const Trunk& t) {
     const float nods = 0.06f * dog.moves * (1 - dog.trots) * cycle(2 * dog.phase + 0.1f);
     const Quat level = nlerp(t.chest, rotation_y(dog.heading + 0.5f * dog.bend), 0.75f);
     const float yaw = dog.gaze + 0.25f * dog.bend;
-    const float down = 1.32f * nose + nods + 0.10f * dog.moves - 0.4f * dog.gaze_pitch;
+    const float down = 1.50f * nose + nods + 0.10f * dog.moves - 0.4f * dog.gaze_pitch;
     const Quat neck = level * rotation_y(0.5f * yaw) * rotation_x(down);
     const Quat head =
-        level * rotation_y(yaw) * rotation_x(0.5f * down * (1 - nose) + 0.98f * nose - 0.6f * dog.gaze_pitch);
+        level * rotation_y(yaw) * rotation_x(0.5f * down * (1 - nose) + 1.15f * nose - 0.6f * dog.gaze_pitch);
     auto put = [&](int j, int from, Quat turn) {
         const auto a = static_cast<size_t>(from), b = static_cast<size_t>(j);
         pose[b] = {pose[a].position + rotate(pose[a].rotation, (s.joints[b] - s.joints[a]) * w), turn};
@@ -135,7 +135,7 @@ void pose_head(const Dog& dog, DogPose& pose, const Trunk& t) {
     const float wag = (0.15f * dog.moves + 0.5f * dog.wags) * cycle(dog.wag),
                 lift = 0.5f * dog.wags + 0.25f * dog.moves;
     const float bent = smoothstep(0, 1, dog.sits);
-    const Quat tail = t.pelvis * rotation_y(wag) * rotation_x(lift * (1 - bent) + 0.9f * bent);
+    const Quat tail = t.pelvis * rotation_y(wag) * rotation_x(lift * (1 - bent) + 1.5f * bent);
     put(dog_tail, dog_pelvis, tail);
     put(dog_tail_middle, dog_tail, tail * rotation_y(0.7f * wag) * rotation_x(0.3f * lift));
     put(dog_tail_end, dog_tail_middle,

@@ -14,19 +14,22 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_lead = 1.9f;          // metres from the hand that a dog goes at most
-constexpr float k_beside_most = 1.0f;   // metres within which others keep clear of it and the lead
-constexpr float k_quicken = 1.7f;       // 1/s, towards its place
-constexpr float k_quickest = 3.2f;      // m/s
-constexpr float k_speeds_up = 4;        // m/s2
-constexpr float k_turns = 3.0f;         // rad/s
+constexpr float k_lead = 1.9f;         // metres from the hand that a dog goes at most
+constexpr float k_beside_most = 1.0f;  // metres within which others keep clear of it and the lead
+constexpr float k_quicken = 1.7f;      // 1/s, towards its place
+constexpr float k_quickest = 3.2f;     // m/s
+constexpr float k_speeds_up = 4;       // m/s2
+constexpr float k_turns = 2.0f;        // rad/s
+constexpr float k_turns_standing = 0.8f;
 constexpr float k_person = 0.20f;       // metres, half of a body's width at a dog's height, and feet
 constexpr float k_minds = 1.1f;         // metres from others that it keeps, where it can
 constexpr float k_thin = 0.35f;         // metres: half of what may be sniffed at, at most
 constexpr float k_smells = 1.7f;        // metres
-constexpr uint32_t k_looks_every = 20;  // ticks
+constexpr uint32_t k_looks_every = 40;  // ticks
 constexpr float k_sits_after = 3.5f;    // seconds that its owner stands
 constexpr size_t k_most_near = 96;
+constexpr float k_dogs_near =
+    3.6f;  // metres from a dog within which the owners of those are that it may touch
 
 uint32_t ticks_of(float seconds) { return static_cast<uint32_t>(seconds / k_tick); }
 DogDoes does_of(const Dog& dog) { return static_cast<DogDoes>(dog.does); }
@@ -112,7 +115,9 @@ Vec2 place_of(const World& w, const Dog& dog) {
         return dog.finds - normalize_or(dog.finds - on_ground(dog.position), {0, 1}) * before;
     }
     const Vec2 ahead = heading_direction(m.heading[dog.walker]);
-    return owner + ahead * dog.ahead + left_of(ahead) * dog.side;
+    // Beside one who stands, as at a kerb.
+    const float on = lerp(0.1f, dog.ahead, smoothstep(0.1f, 0.7f, length(m.velocity[dog.walker])));
+    return owner + ahead * on + left_of(ahead) * dog.side;
 }
 
 // Away from those whom it would run into.
@@ -145,14 +150,17 @@ Vec2 out_of_bodies(const World& w, const Dog& dog, Vec2 at) {
     const DogShape& s = shape_of(dog.breed);
     const Vec2 way = heading_direction(dog.heading);
     const float half_long = s.half_long * dog.size, radius = s.radius * dog.size;
-    std::array<uint32_t, k_most_near> near;
-    const size_t count = those_near(w, dog.position, half_long + radius + 0.6f, near);
-    for (const Dog& other : w.alongside->previous_dogs) {
-        if (other.walker == dog.walker || length(on_ground(other.position) - at) > 1.6f) continue;
-        const Vec2 their = heading_direction(other.heading) * (shape_of(other.breed).half_long * other.size);
+    std::array<uint32_t, 4 * k_most_near> near;
+    const size_t count = those_near(w, dog.position, k_dogs_near, near);
+    const std::vector<Dog>& dogs = w.alongside->previous_dogs;
+    for (const uint32_t i : std::span(near).first(count)) {
+        const Dog* other = i == dog.walker ? nullptr : own_of(dogs, i);
+        if (!other || length(on_ground(other->position) - at) > 1.6f) continue;
+        const Vec2 their =
+            heading_direction(other->heading) * (shape_of(other->breed).half_long * other->size);
         for (const float end : {1.0f, -1.0f})
-            push_out(at, way, half_long, radius, on_ground(other.position) + their * end,
-                     shape_of(other.breed).radius * other.size);
+            push_out(at, way, half_long, radius, on_ground(other->position) + their * end,
+                     shape_of(other->breed).radius * other->size);
     }
     // Its owner last: nobody has it between the feet.
     for (const bool own : {false, true})
@@ -197,7 +205,9 @@ void steer_dog(Dog& dog, const DogWish& wish) {
     const float wanted = length(wish.velocity);
     const float to = wanted > 0.12f ? heading_of(wish.velocity / wanted) : wish.facing;
     const float off = wrap_angle(to - dog.heading);
-    const float rate = clamp(3.5f * off, -k_turns, k_turns);
+    // On the spot no faster than feet follow.
+    const float most_turn = lerp(k_turns_standing, k_turns, smoothstep(0.1f, 0.5f, length(dog.velocity)));
+    const float rate = clamp(3.5f * off, -most_turn, most_turn);
     dog.turn_rate += clamp(rate - dog.turn_rate, -14 * k_tick, 14 * k_tick);
     dog.heading = wrap_angle(dog.heading + dog.turn_rate * k_tick);
     const Vec2 way = heading_direction(dog.heading), left = left_of(way);
@@ -296,6 +306,16 @@ Dog make_dog(const World& w, uint32_t i, int thread) {
 
 void think_dogs(World& w) {
     for (Dog& dog : w.alongside->dogs) think_dog(w, dog);
+}
+
+void find_dogs_anew(World& w) {
+    if (!w.alongside) return;
+    for (Dog& dog : w.alongside->dogs) {
+        const CrowdMotion& m = w.crowd.motion;
+        const auto place = nearest(*w.navmesh, 0, dog.position);
+        const NavPoint at = place ? *place : NavPoint{m.position[dog.walker], m.polygon[dog.walker]};
+        dog.position = at.position, dog.polygon = at.polygon;
+    }
 }
 
 void walk_dogs(World& w) {

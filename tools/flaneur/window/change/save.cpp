@@ -9,6 +9,7 @@
 
 #include "assets/files/file.h"
 #include "assets/idles.h"
+#include "sim/alongside/alongside.h"
 #include "sim/pastimes/pastimes.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/show.h"
