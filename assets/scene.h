@@ -101,6 +101,7 @@ struct Scene {
     float helpers = k_usual_helpers;        // the same
     bool lamps = false;                     // whether traffic lights work and people mind them
     float jaywalkers = k_usual_jaywalkers;  // see WorldOptions
+    float traffic = 0;                      // the same
     bool flat = false;                      // of a course: all in one plane, seen from the side
     std::optional<Vec3> look;               // of a course: where all look who can turn their heads there
     uint64_t seed = 1;

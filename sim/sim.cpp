@@ -135,6 +135,7 @@ Result<void> check(const WorldOptions& o) {
     if (o.drunks > o.walkers) return Error{"WorldOptions::drunks must be at most WorldOptions::walkers."};
     if (!is_within(o.helpers, 0, 1)) return Error{"WorldOptions::helpers must be within 0 and 1."};
     if (!is_within(o.jaywalkers, 0, 1)) return Error{"WorldOptions::jaywalkers must be within 0 and 1."};
+    if (!is_within(o.traffic, 0, 1)) return Error{"WorldOptions::traffic must be within 0 and 1."};
     for (const Crossing& c : o.crossings.all) {
         const bool sound = is_finite(c.centre) && std::isfinite(c.half_length) && c.half_length > 0 &&
                            std::isfinite(c.half_width) && c.half_width > 0 &&

@@ -51,6 +51,7 @@
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
 #include "sim/lamps/kerbs.h"
+#include "sim/lanes/lanes.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
@@ -129,6 +130,9 @@ struct WorldOptions {
     // children, the old and the dutiful, more of those who have drunk.
     Crossings crossings{};
     float jaywalkers = k_usual_jaywalkers;
+    // Where one drives, and how many do, 0..1: 0 nobody, 0.5 as usual, 1 as in a rush hour.
+    Lanes lanes{};
+    float traffic = 0;
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 

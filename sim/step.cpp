@@ -168,7 +168,10 @@ void drive_crowd(World& w) {
     timed(w, Stage::think, [&] { think(w.crowd, *w.navmesh, *w.workers, w.tick, w.seed); });
     timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
-    timed(w, Stage::move, [&] { move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick); });
+    timed(w, Stage::move, [&] {
+        move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick);
+        step_vehicles(w.vehicles, w.crowd, w.tick, w.seed);
+    });
 }
 
 void drive_roam(World& w) {

@@ -175,6 +175,9 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::jaywalkers>(
             "jaywalkers", {number, 0, 1}, "0.1", "0.05",
             "How many of those who come to a crossing while its lamp is red go on; only with lamps."),
+        plain_key<&Scene::traffic>(
+            "traffic", {number, 0, 1}, "0", "0.5",
+            "How many cars, vans, buses and bicycles drive: 0 none, 0.5 as usual, 1 as in a rush hour."),
         {"idles",
          {texts},
          nullptr,

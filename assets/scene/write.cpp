@@ -92,6 +92,7 @@ std::string scene_text(const Scene& s) {
     tell("helpers", short_number(s.helpers), s.helpers != usual.helpers);
     tell("lamps", s.lamps, s.lamps);
     tell("jaywalkers", short_number(s.jaywalkers), s.jaywalkers != usual.jaywalkers);
+    tell("traffic", short_number(s.traffic), s.traffic != usual.traffic);
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
     if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);

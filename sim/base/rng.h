@@ -28,7 +28,8 @@ enum class Purpose : uint32_t {
     way,
     personality,
     fall,
-    lamp
+    lamp,
+    vehicle
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

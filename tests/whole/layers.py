@@ -28,29 +28,31 @@ sim/stepper: sim/base, sim/gait, sim/gait/curves, sim/movers, sim/pose
 sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/lamps: sim/base, sim/navigation
-sim/crowd: sim/base, sim/body, sim/ground, sim/lamps, sim/limbs, sim/navigation, sim/ways
+sim/lanes: sim/base, sim/ground, sim/lamps
+sim/crowd: sim/base, sim/body, sim/ground, sim/lamps, sim/lanes, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
+sim/vehicles: sim/base, sim/crowd, sim/lanes
 sim/alone: sim/crowd, sim/gait, sim/ground
 sim/figures: sim/alone, sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/deeds: sim/alone, sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
+sim: sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/lanes, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface, sim/vehicles
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
-assets: sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/lamps, sim/limbs
+assets: sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/lamps, sim/lanes, sim/limbs
 assets/plan: assets, sim/base, sim/lamps
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/props: assets, sim/base
 assets/people/shapes: sim/base
 assets/people: assets, assets/people/shapes, sim/base, sim/body
 assets/levels: assets, assets/people, sim/base
-assets/district: assets, assets/plan, sim/base
+assets/district: assets, assets/plan, sim/base, sim/lanes
 assets/stages: assets, sim, sim/base, sim/deeds, sim/figures, sim/linkages, sim/movers, sim/surface, sim/ways
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
 assets/osm/read: assets, assets/files, assets/osm
-assets/osm/street: assets, assets/osm, assets/plan
+assets/osm/street: assets, assets/osm, assets/plan, sim/lanes
 assets/demand: assets, assets/files, assets/osm, sim/base, sim/coming
 assets/cache: assets, assets/files, sim/base, sim/navigation
 assets/gltf: assets, assets/files, sim/base

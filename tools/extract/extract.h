@@ -90,6 +90,12 @@ PersonMesh extract_ball();
 void add_balls(const Balls& balls, uint32_t mesh, PeopleFrame& people, float between = 1,
                uint32_t first_id = 0);
 
+// What is uploaded for a world's vehicles, and they themselves as they are between ticks, with those who ride
+// bicycles.
+std::vector<PersonMesh> extract_vehicles();
+void add_vehicles(const World& world, const std::vector<Character>& characters, uint32_t first_mesh,
+                  PeopleFrame& people, float between = 1);
+
 struct Troupe;  // of sim/figures/figures.h
 // Adds a world's figures to what extract_people() found, before its linkages: figure i as characters[its
 // kind].

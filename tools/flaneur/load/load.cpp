@@ -376,6 +376,8 @@ Result<Loaded> load(const Options& options) {
     world.helpers = scene.helpers;
     world.crossings = loaded.city->crossings;
     world.jaywalkers = scene.jaywalkers;
+    world.lanes = loaded.city->lanes;
+    world.traffic = scene.traffic;
     world.limbs = scene.limbs;
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
     if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
@@ -446,6 +448,11 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.helpers = world.bystanders.helpers;
     if (minds_lamps(world.crowd.kerbs)) options.crossings = world.crowd.kerbs.map->crossings;
     options.jaywalkers = world.jaywalkers;
+    if (world.roads) {
+        options.lanes = world.roads->lanes;
+        if (options.crossings.all.empty()) options.crossings = world.roads->crossings;
+    }
+    options.traffic = world.vehicles.traffic;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
     options.navmesh = settings_of(*world.navmesh);

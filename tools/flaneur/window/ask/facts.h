@@ -25,6 +25,7 @@ enum class Doing : uint8_t {
     minds,           // that somebody has fallen
     waits_for_lamp,  // that is red
     is_at_lamp,      // that is green: starts in a moment, or has come too late
+    lets_pass,       // who drives
 };
 
 struct WalkerFacts {

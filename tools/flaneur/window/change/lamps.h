@@ -1,4 +1,4 @@
-// Traffic lights, in the room Change.
+// Traffic and its lights, in the room Change.
 #pragma once
 
 namespace flaneur {
@@ -8,5 +8,7 @@ struct Viewer;
 
 // How many go on red, of all to nobody; nothing where there are no lamps.
 void lay_out_lamps(Show& show, Viewer& viewer, float scale);
+// How many drive; nothing where nobody can.
+void lay_out_traffic(Show& show, Viewer& viewer, float scale);
 
 }  // namespace flaneur

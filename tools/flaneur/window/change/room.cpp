@@ -364,6 +364,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_course(show, v);
     lay_out_drink(show, v, scale);
     lay_out_lamps(show, v, scale);
+    lay_out_traffic(show, v, scale);
     if (!show.loaded.world->roam && !is_on_course(*show.loaded.world)) {
         ImGui::Spacing();
         lay_out_tools(v, scale);

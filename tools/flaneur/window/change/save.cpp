@@ -55,6 +55,7 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     if (!is_as_opened(v.change)) s.about.clear();  // which tells of the one that was opened
     s.drunk = show.loaded.world->drunk;
     if (s.lamps) s.jaywalkers = show.loaded.world->jaywalkers;
+    s.traffic = show.loaded.world->vehicles.traffic;
     leave_out_nobody(s);
     s.views = show.work_views;
     s.quality = v.quality;
