@@ -9,8 +9,20 @@ OnLane on_lane(const Lanes& lanes, uint32_t lane, float metres) {
     const Lane& l = lanes.all[lane];
     const float apart = l.length / static_cast<float>(l.count - 1), at = metres / apart;
     const auto k = static_cast<uint32_t>(clamp(at, 0, static_cast<float>(l.count - 2) + 0.5f));
-    const Vec3 a = lanes.places[l.first + k], b = lanes.places[l.first + k + 1];
-    return {lerp(a, b, at - static_cast<float>(k)), normalize_or(on_ground(b - a), {0, 1})};
+    const Vec3* places = &lanes.places[l.first];
+    const Vec3 a = places[k], b = places[k + 1];
+    const float t = at - static_cast<float>(k);
+    // The direction changes evenly from place to place, so that what goes beside the lane goes evenly.
+    const bool has_before = k > 0, has_after = k + 2 < l.count;
+    const Vec3 c = has_after ? places[k + 2] : b, z = has_before ? places[k - 1] : a;
+    const Vec2 before = on_ground(has_before  ? b - z
+                                  : has_after ? b * 4 - a * 3 - c
+                                              : b - a),
+               after = on_ground(has_after    ? c - a
+                                 : has_before ? b * 3 - a * 4 + z
+                                              : b - a);
+    const Vec2 along = lerp(normalize_or(before, {0, 1}), normalize_or(after, {0, 1}), clamp(t, 0, 1));
+    return {lerp(a, b, t), normalize_or(along, {0, 1})};
 }
 
 float bend_speed(const Lanes& lanes, uint32_t lane, float metres) {

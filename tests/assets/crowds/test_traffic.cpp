@@ -25,7 +25,7 @@ void expect_sound(const TrafficTally& seen) {
     EXPECT_LT(seen.into_people, 0.02f);
     EXPECT_LE(seen.into_vehicles, 0);
     EXPECT_LT(seen.hardest, 7.6f);
-    EXPECT_LT(seen.jump, 0.35f);
+    EXPECT_LT(seen.jump, 0.27f);
     EXPECT_EQ(seen.on_red, 0u);
 }
 

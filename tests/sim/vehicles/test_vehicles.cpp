@@ -113,7 +113,7 @@ TEST(Vehicles, HitNobodyAndEachOtherNever) {
             EXPECT_LT(seen.into_people, 0.02f);
             EXPECT_LE(seen.into_vehicles, 0);
             EXPECT_LT(seen.hardest, 7.6f);
-            EXPECT_LT(seen.jump, 0.3f);
+            EXPECT_LT(seen.jump, 0.27f);
             EXPECT_LT(seen.longest_stood, 150);
             EXPECT_LE(seen.stopped, 2u);
             EXPECT_EQ(seen.on_red, 0u);
