@@ -259,6 +259,9 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     w.linkages.previous_places = w.linkages.places;
     w.linkages.previous_targets = w.linkages.targets;
     forget_previous(w.movers);
+    for (size_t n = 0; n < w.vehicles.all.size(); ++n)
+        if (is_there(w.vehicles.all[n]))
+            w.vehicles.places[n] = place_of(w.vehicles.map->lanes, w.vehicles.all[n]);
     if (has_traffic(w.vehicles)) show_vehicles(w.vehicles, c);
     w.vehicles.previous = w.vehicles.places;
     w.balls.previous_places.clear();

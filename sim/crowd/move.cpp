@@ -10,6 +10,7 @@
 #include "sim/crowd/half_planes.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/crowd/places.h"
+#include "sim/lanes/near.h"
 
 namespace flaneur {
 
@@ -115,6 +116,7 @@ static void add_vehicles(const Roadway& r, const Seen& me, Vec2 wish, Vec2 veloc
                          Contacts& out) {
     constexpr float k_apart = 0.03f;  // metres
     const Vec2 p = on_ground(me.position);
+    if (!is_near_vehicles(r, p)) return;
     for_boxes_near(r, p, me.radius + mindful_reach(dt), [&](uint32_t k) {
         const VehicleBox& box = r.boxes[k];
         if (std::fabs(box.y - me.position.y) > k_other_level) return;

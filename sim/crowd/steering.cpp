@@ -7,6 +7,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/deciders.h"
 #include "sim/crowd/places.h"
+#include "sim/lanes/near.h"
 
 namespace flaneur {
 
@@ -187,6 +188,7 @@ static int keep_off_vehicles(const Roadway& roadway, const Seen& me, HalfPlane* 
     constexpr float k_apart = 0.08f;  // metres
     const int most = std::min(count + k_vehicles, k_firm);
     const Vec2 p = on_ground(me.position);
+    if (!is_near_vehicles(roadway, p)) return count;
     for_boxes_near(roadway, p, k_border_reach + me.radius, [&](uint32_t k) {
         const VehicleBox& box = roadway.boxes[k];
         if (count == most || std::fabs(box.y - me.position.y) > k_other_level) return;

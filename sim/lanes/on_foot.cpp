@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/base/tick.h"
+#include "sim/lanes/near.h"
 #include "sim/lanes/roadway.h"
 
 namespace flaneur {
@@ -69,6 +70,7 @@ Vec2 round_vehicles(const Roadway& r, Vec3 here, Vec2 wanted, float radius) {
     const float speed = length(wanted);
     if (speed < 0.05f) return wanted;
     const Vec2 place = on_ground(here), way = wanted / speed;
+    if (!is_near_vehicles(r, place)) return wanted;
     const VehicleBox* in_way = nullptr;
     float nearest = k_sees;
     for_boxes_near(r, place, k_sees, [&](uint32_t k) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/tick.h"
+#include "sim/lanes/near.h"
 
 namespace flaneur {
 
@@ -112,7 +112,7 @@ void make_room(Roadway& r, std::shared_ptr<const RoadMap> map, uint32_t vehicles
     r.numbers.reserve(vehicles);
     r.order.reserve(vehicles);
     r.squares.reserve(vehicles);
-    r.first.assign(static_cast<size_t>(Roadway::k_side) * Roadway::k_side + 1, 0);
+    r.first.assign(2 * k_roadway_squares + 1, 0);
     r.arrival.assign(r.map ? r.map->raster.what.size() / 4 : 0, Roadway::k_nobody_comes);
     r.painted.reserve(r.arrival.size());
     clear(r);
@@ -132,20 +132,30 @@ void add_box(Roadway& r, const VehicleBox& box, uint32_t number) {
     r.longest = std::max(r.longest, box.half_length + box.half_width);
 }
 
+// Squares in which somebody may be near a box.
+static void mark_near(Roadway& r, const VehicleBox& box) {
+    const float reach = box.half_length + box.half_width + k_minds_vehicles;
+    auto square = [](float v) { return square_at(v / Roadway::k_square); };
+    for (int z = square(box.middle.z - reach); z <= square(box.middle.z + reach); ++z)
+        for (int x = square(box.middle.x - reach); x <= square(box.middle.x + reach); ++x) {
+            const Vec2 place{static_cast<float>(x) * Roadway::k_square,
+                             static_cast<float>(z) * Roadway::k_square};
+            r.first[k_roadway_squares + 1 + roadway_square(place)] = 1;
+        }
+}
+
 void sort_boxes(Roadway& r) {
-    auto wrapped = [](float v) { return square_at(v / Roadway::k_square) & (Roadway::k_side - 1); };
     std::fill(r.first.begin(), r.first.end(), 0);
     r.squares.clear();
-    for (const VehicleBox& box : r.boxes)
-        r.squares.push_back(
-            static_cast<uint32_t>(wrapped(box.middle.z) * Roadway::k_side + wrapped(box.middle.x)));
+    for (const VehicleBox& box : r.boxes) r.squares.push_back(roadway_square(box.middle));
     for (const uint32_t square : r.squares) ++r.first[square + 1];
-    for (size_t k = 1; k < r.first.size(); ++k) r.first[k] += r.first[k - 1];
+    for (size_t k = 1; k <= k_roadway_squares; ++k) r.first[k] += r.first[k - 1];
     r.order.resize(r.boxes.size());
     for (size_t i = r.boxes.size(); i-- > 0;) r.order[--r.first[r.squares[i] + 1]] = static_cast<uint32_t>(i);
     // Each first[square + 1] has come to where that square begins.
-    for (size_t k = 0; k + 1 < r.first.size(); ++k) r.first[k] = r.first[k + 1];
-    r.first.back() = static_cast<uint32_t>(r.boxes.size());
+    for (size_t k = 0; k < k_roadway_squares; ++k) r.first[k] = r.first[k + 1];
+    r.first[k_roadway_squares] = static_cast<uint32_t>(r.boxes.size());
+    for (const VehicleBox& box : r.boxes) mark_near(r, box);
 }
 
 void paint(Roadway& r, Vec2 place, Vec2 along, float half_width, uint32_t ticks) {

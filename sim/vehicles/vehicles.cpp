@@ -216,7 +216,7 @@ void go_on(Vehicles& vs, Crowd& c, uint32_t number, uint32_t tick, uint64_t seed
 
 // When it will be where, as it drives now.
 void foretell(const Vehicles& vs, Roadway& r, const Vehicle& v) {
-    constexpr float k_foresees = 7, k_step = 0.8f, k_creeps = 0.3f,
+    constexpr float k_foresees = 6.5f, k_step = 0.9f, k_creeps = 0.3f,
                     k_sets_off = 2.5f;  // seconds; metres; m/s
     const float half = shape_of(v).width / 2 + 0.35f;
     // One that has begun to go counts as quicker than it is, and one that has waited long as if it went.
@@ -243,7 +243,6 @@ void show_vehicles(Vehicles& vs, Crowd& c) {
     for (uint32_t n = 0; n < vs.all.size(); ++n) {
         const Vehicle& v = vs.all[n];
         if (!is_there(v)) continue;
-        vs.places[n] = place_of(vs.map->lanes, v);
         vs.shown_as[n] = static_cast<uint32_t>(r.boxes.size());
         add_box(r, box_of(v, vs.places[n]), n);
     }
@@ -348,7 +347,8 @@ void make_vehicles(Vehicles& vs, Crowd& c, std::shared_ptr<const RoadMap> map, f
         v.taste = random_between(key_of(seed, n, 0), 0.82f, 1.02f, 60);
         set_somewhere(vs, c, n, ends, seed);
         if (!is_there(v)) continue;
-        add_box(c.roadway, box_of(v, place_of(lanes, v)), n);
+        vs.places[n] = place_of(lanes, v);
+        add_box(c.roadway, box_of(v, vs.places[n]), n);
         sort_boxes(c.roadway);
     }
     show_vehicles(vs, c);
