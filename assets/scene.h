@@ -118,6 +118,7 @@ struct Scene {
     float acquaintances = 0;                  // the same
     AlongShares along;                        // of people; see WorldOptions
     PastimeShares pastimes;                   // what they do who stay
+    float traffic = 0;                        // of who drives; see WorldOptions
     bool flat = false;                        // of a course: all in one plane, seen from the side
     std::optional<Vec3> look;                 // of a course: where all look who can turn their heads there
     uint64_t seed = 1;

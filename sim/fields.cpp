@@ -211,6 +211,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("deeds", 'h', hash(w.deeds.doers));
     add("bipeds", 'h', w.stepping ? static_cast<uint32_t>(hash_bipeds(*w.stepping)) : 0);
     add("movers", 'h', hash(w.movers.places));
+    add("vehicles", 'h', hash(w.vehicles.all));
     add("balls", 'h', static_cast<uint32_t>(hash_balls(w.balls)));
     add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
     add("alongside", 'h', w.alongside ? static_cast<uint32_t>(hash_alongside(*w.alongside)) : 0);
@@ -233,6 +234,7 @@ uint64_t hash_world(const World& world) {
     hash = mix(hash ^ hash_crowd(world.crowd));
     if (comes_and_goes(world.coming, world.crowd)) hash = mix(hash ^ hash_coming(world.coming));
     if (!world.balls.all.empty()) hash = mix(hash ^ hash_balls(world.balls));
+    if (has_traffic(world.vehicles)) hash = mix(hash ^ hash_vehicles(world.vehicles));
     if (!world.falls.all.empty()) hash = mix(hash ^ hash_falls(world));
     if (is_on(world.company)) hash = mix(hash ^ hash_company(world.company));
     if (!world.bystanders.all.empty()) hash = mix(hash ^ hash_bystanders(world));

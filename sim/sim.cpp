@@ -149,6 +149,7 @@ Result<void> check(const WorldOptions& o) {
     for (const float share :
          {o.pastimes.sitting, o.pastimes.leaning, o.pastimes.phones, o.pastimes.windows, o.pastimes.queues})
         if (!is_within(share, 0, 1)) return Error{"WorldOptions::pastimes must be within 0 and 1."};
+    if (!is_within(o.traffic, 0, 1)) return Error{"WorldOptions::traffic must be within 0 and 1."};
     for (const Crossing& c : o.crossings.all) {
         const bool sound = is_finite(c.centre) && std::isfinite(c.half_length) && c.half_length > 0 &&
                            std::isfinite(c.half_width) && c.half_width > 0 &&

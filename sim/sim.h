@@ -52,6 +52,7 @@
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
 #include "sim/lamps/kerbs.h"
+#include "sim/lanes/lanes.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pastimes/places.h"
@@ -144,6 +145,9 @@ struct WorldOptions {
     // (docs/pastimes.md).
     PastimeShares pastimes{};
     PastimePlaces pastime_places{};
+    // Where one drives, and how many do, 0..1: 0 nobody, 0.5 as usual, 1 as in a rush hour.
+    Lanes lanes{};
+    float traffic = 0;
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 

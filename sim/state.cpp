@@ -20,7 +20,8 @@ constexpr uint64_t k_mark = 0x61'74'73'2e'72'75'6c'66;  // "flur.sta"
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 6 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
 static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 7) + 40 +
-                                   sizeof(Onlookers) + 24 + sizeof(Traffic) + sizeof(March) + sizeof(Kerbs));
+                                   sizeof(Onlookers) + 24 + sizeof(Traffic) + sizeof(March) + sizeof(Kerbs) +
+                                   sizeof(Roadway));
 
 // Before all else; how many of each follow.
 struct Head {
@@ -66,6 +67,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     all(w.deeds.doers, w.deeds.parcels, w.deeds.leaves, w.deeds.gait.blocks, w.deeds.whole, w.deeds.poses);
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets, w.linkages.methods,
         w.linkages.held, w.herd.creatures, w.movers.places);
+    all(w.vehicles.all);
     if (w.stepping) all(w.stepping->bipeds.all, w.stepping->orders);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
@@ -183,14 +185,15 @@ uint64_t state_mark(const World& w) {
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     if (w.alongside) add(w.alongside->players.size());
     const Ground& ground = *w.ground;
-    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
-                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
-                        w.linkages.places.size(), w.figures.plans.size(), w.deeds.plans.size(),
-                        w.movers.all.size(), w.crowd.kerbs.waits.size(), w.company.bearings.size(),
-                        w.pastimes->places.seats.size(), w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
-                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
-                                     w.roam->compound.capsules.size() + 1
-                               : 0})
+    for (size_t size :
+         {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
+          ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
+          w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(), w.crowd.kerbs.waits.size(),
+          w.company.bearings.size(), w.pastimes->places.seats.size(), w.vehicles.all.size(),
+          w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
+          w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
+                       w.roam->compound.capsules.size() + 1
+                 : 0})
         add(static_cast<uint64_t>(size));
     add(ground.low, ground.high);
     return hash;
@@ -280,6 +283,11 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     w.linkages.previous_places = w.linkages.places;
     w.linkages.previous_targets = w.linkages.targets;
     forget_previous(w.movers);
+    for (size_t n = 0; n < w.vehicles.all.size(); ++n)
+        if (is_there(w.vehicles.all[n]))
+            w.vehicles.places[n] = place_of(w.vehicles.map->lanes, w.vehicles.all[n]);
+    if (has_traffic(w.vehicles)) show_vehicles(w.vehicles, c);
+    w.vehicles.previous = w.vehicles.places;
     w.balls.previous_places.clear();
     for (const Ball& ball : w.balls.all) w.balls.previous_places.push_back(ball.place);
     pose_figures_anew(w.figures);

@@ -191,6 +191,7 @@ void drive_crowd(World& w) {
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
     timed(w, Stage::move, [&] {
         move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick);
+        step_vehicles(w.vehicles, w.crowd, w.tick, w.seed);
         if (is_on(w.company)) guide(w.company, w.crowd, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
     });
 }

@@ -217,6 +217,9 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->pastimes = std::make_shared<Pastimes>();
     set_places(*world->pastimes, options.pastime_places, *world->navmesh, world->crowd);
     set_shares(*world->pastimes, options.pastimes, world->crowd);
+    if (has_lanes(options.lanes))
+        world->roads = std::make_shared<const RoadMap>(make_road_map(options.lanes, options.crossings));
+    set_traffic(*world, options.traffic);
     world->coming.sendings = options.sendings;
     world->coming.home = find_neighbourhood(*world->ground, *world->navmesh, options.walkers);
 
@@ -400,6 +403,10 @@ void set_lamp_manner(World& w, uint32_t walker) {
     kerbs.manners[walker] = lamp_manner(w.kinds[w.crowd.identity.body[walker]].age, drunk_of(w, walker),
                                         personality_of(w, walker).conscientiousness, w.jaywalkers);
     if (is_creature(w.herd, walker)) kerbs.manners[walker].jaywalks = 0;
+}
+
+void set_traffic(World& w, float traffic) {
+    make_vehicles(w.vehicles, w.crowd, traffic > 0 ? w.roads : nullptr, traffic, w.seed);
 }
 
 void set_jaywalkers(World& w, float share) {

@@ -34,6 +34,7 @@
 #include "sim/pose/trail.h"
 #include "sim/roam.h"
 #include "sim/sim.h"
+#include "sim/vehicles/vehicles.h"
 
 namespace flaneur {
 
@@ -74,6 +75,8 @@ struct World {
     std::shared_ptr<Stepping> stepping;    // of those who step by the showcase's rule; else null
     std::shared_ptr<Alongside> alongside;  // what goes along with people; null: nothing does
     Movers movers;                         // rigid things that move; mostly none
+    std::shared_ptr<const RoadMap> roads;  // where one drives; null: nowhere
+    Vehicles vehicles;                     // who drives; mostly nobody
     Deeds deeds;                           // people who do things with their hands, the same
     Troupe figures;                        // that are people, but not of the crowd; mostly none
     Gait gait;
@@ -122,6 +125,8 @@ Result<void> change_platform(World& world, const std::vector<Vec2>& corners);
 // From now on people mind the lamps of these crossings; of none, where none is ruled. Allocates; between two
 // ticks.
 void mind_lamps(World& world, const Crossings& crossings);
+// As much traffic from now on, 0..1: everybody who drives is set down anew. Allocates; between two ticks.
+void set_traffic(World& world, float traffic);
 // So many go on red from now on, 0..1; between two ticks.
 void set_jaywalkers(World& world, float share);
 // What one is like who minds them; creatures never go on red.

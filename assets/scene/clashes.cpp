@@ -122,6 +122,22 @@ constexpr SceneClash k_clashes[] = {
          return both({key, "city"},
                      {{key, {{"const", true}}}, {"city", {{"allOf", OrderedJson::array({built_in, map})}}}});
      }},
+    {"traffic",
+     R"("traffic" is of those who drive; of the places that are built in they do in the district and on the quayside)",
+     [](const Scene& s, const Json&) {
+         return s.traffic > 0 && s.built != BuiltIn::district && s.built != BuiltIn::quayside;
+     },
+     [](const char* key) {
+         const OrderedJson others = {{"not", {{"enum", {"district", "quayside"}}}}};
+         return both({key, "built"}, {{key, {{"exclusiveMinimum", 0}}}, {"built", others}});
+     }},
+    {"traffic", R"("traffic" is of those who drive, and a glTF city says nothing of where)",
+     [](const Scene& s, const Json&) { return s.traffic > 0 && !s.city.empty() && !is_map(s); },
+     [](const char* key) {
+         const OrderedJson built_in = {{"not", {{"const", "district"}}}}, map = {{"not", map_schema()}};
+         return both({key, "city"}, {{key, {{"exclusiveMinimum", 0}}},
+                                     {"city", {{"allOf", OrderedJson::array({built_in, map})}}}});
+     }},
     {"jaywalkers", R"("jaywalkers" are those who go on red, and nobody does but where "lamps" is true)",
      [](const Scene& s, const Json& json) {
          return !s.lamps && json.contains("jaywalkers") && json.at("jaywalkers") != 0.1;

@@ -209,6 +209,9 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "windows", "1", "How many of those who like to look into shop windows as they pass do."),
         pastime_key<&PastimeShares::queues>("queues", "0.1",
                                             "How many of those who pass a stall line up there."),
+        plain_key<&Scene::traffic>(
+            "traffic", {number, 0, 1}, "0", "0.5",
+            "How many cars, vans, buses and bicycles drive: 0 none, 0.5 as usual, 1 as in a rush hour."),
         {"idles",
          {texts},
          nullptr,

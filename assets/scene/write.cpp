@@ -105,6 +105,7 @@ std::string scene_text(const Scene& s) {
     tell("musicians", along.musicians, along.musicians > 0);
     for (const PastimeKey& of : k_pastimes)
         tell(of.name, short_number(s.pastimes.*of.share), s.pastimes.*of.share > 0);
+    tell("traffic", short_number(s.traffic), s.traffic != usual.traffic);
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
     if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);

@@ -31,7 +31,8 @@ enum class Purpose : uint32_t {
     lamp,
     company,
     along,
-    pastime
+    pastime,
+    vehicle
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

@@ -128,6 +128,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.driven = c.driven;
     mind_lamps(wider.kerbs, c.kerbs.map, capacity);
     keep_all(wider.kerbs, c.kerbs, &Kerbs::waits, &Kerbs::manners);
+    wider.roadway = std::move(c.roadway);
     wider.downed = c.downed;
     wider.called = c.called;
     wider.beside = c.beside;

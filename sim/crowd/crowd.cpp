@@ -26,7 +26,7 @@ Crowd make_crowd(uint32_t capacity) {
     CrowdDecision& d = c.decision;
     resize_to(capacity, d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
-    resize_to(capacity, c.journeys, c.way_back, s.order, s.intents);
+    resize_to(capacity, c.journeys, c.way_back, s.order, s.intents, s.lets_pass);
     c.corners.resize(size_t{capacity} * k_corners);
     c.at_once.assign(block_count(capacity), 1);
     s.woken.assign(block_count(capacity), 0);

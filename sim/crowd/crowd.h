@@ -26,6 +26,7 @@
 #include "sim/ground/door.h"
 #include "sim/ground/surroundings.h"
 #include "sim/lamps/kerbs.h"
+#include "sim/lanes/roadway.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/navigation/traffic.h"
@@ -231,8 +232,9 @@ struct CrowdScratch {
     bool is_ordered = false;            // nobody came or went since
     std::vector<Intent> intents;        // by walker
     std::vector<uint8_t> woken;         // by block: 1: it was afar until this tick
-    float strays = 0;                   // metres from where one was filed, at most
-    std::vector<uint32_t> requests;     // walkers whose path is sought
+    std::vector<uint8_t> lets_pass;  // by walker: 1: it waits before a carriageway until who comes has passed
+    float strays = 0;                // metres from where one was filed, at most
+    std::vector<uint32_t> requests;  // walkers whose path is sought
 };
 
 // Which slots are taken by whom.
@@ -297,6 +299,7 @@ struct Crowd {
     Demand demand;           // what draws them
     Traffic traffic;         // where they crowd
     Kerbs kerbs;             // who waits for lamps
+    Roadway roadway;         // who drives
     CrowdScratch scratch;
 };
 

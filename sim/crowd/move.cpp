@@ -10,6 +10,7 @@
 #include "sim/crowd/half_planes.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/crowd/places.h"
+#include "sim/lanes/near.h"
 
 namespace flaneur {
 
@@ -116,6 +117,26 @@ static void add_contacts_of_pram(const Crowd& c, uint32_t at, Vec2 wish, float d
     }
 }
 
+// Nobody walks into a vehicle, and whom one has come to gets off it.
+static void add_vehicles(const Roadway& r, const Seen& me, Vec2 wish, Vec2 velocity, float dt,
+                         Contacts& out) {
+    constexpr float k_apart = 0.03f;  // metres
+    const Vec2 p = on_ground(me.position);
+    if (!is_near_vehicles(r, p)) return;
+    for_boxes_near(r, p, me.radius + mindful_reach(dt), [&](uint32_t k) {
+        const VehicleBox& box = r.boxes[k];
+        if (std::fabs(box.y - me.position.y) > k_other_level) return;
+        const OffBox off = off_box(box, p);
+        const float far = off.far - me.radius, room = std::max(far - k_apart, 0.0f);
+        if (far > mindful_reach(dt)) return;
+        const float leaves = std::max(-dot(box.ahead, off.out) * box.speed, 0.0f);
+        add_brake(out, off.out, fastest_within(room, dt) + leaves, wish, velocity);
+        if (far > k_nearing * dt) return;
+        add_plane(out, {off.out, -room / dt}, fastest_of(wish, velocity));
+        if (far < 0) out.push += off.out * std::min(-far / dt, k_push);
+    });
+}
+
 // Each of two who are near takes half of the gap between them at most, along the line between them: so no
 // step brings them nearer than k_most_overlap allows, whatever both do.
 static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
@@ -148,6 +169,7 @@ static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
         float overlap = touching - k_overlap - d;
         if (overlap > 0) out.push += direction * (0.5f * overlap / dt);
     }
+    if (has_traffic(c.roadway)) add_vehicles(c.roadway, me, wish, velocity, dt, out);
     if (c.identity.ahead[me.id] > 0) add_contacts_of_pram(c, at, wish, dt, out);
     float l = length(out.push);
     if (l > k_push) out.push = out.push * (k_push / l);

@@ -28,9 +28,11 @@ sim/stepper: sim/base, sim/gait, sim/gait/curves, sim/movers, sim/pose
 sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/lamps: sim/base, sim/navigation
+sim/lanes: sim/base, sim/ground, sim/lamps
 sim/fellows: sim/base
-sim/crowd: sim/base, sim/body, sim/fellows, sim/ground, sim/lamps, sim/limbs, sim/navigation, sim/ways
+sim/crowd: sim/base, sim/body, sim/fellows, sim/ground, sim/lamps, sim/lanes, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
+sim/vehicles: sim/base, sim/crowd, sim/lanes
 sim/alone: sim/crowd, sim/gait, sim/ground
 sim/figures: sim/alone, sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/deeds: sim/alone, sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
@@ -39,12 +41,12 @@ sim/company: sim/base, sim/coming, sim/crowd, sim/deeds, sim/fall, sim/gait, sim
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
 sim/alongside: sim/base, sim/fall, sim/ground, sim/movers, sim/pose
-sim: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pastimes, sim/pose, sim/stepper, sim/surface
+sim: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/lanes, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pastimes, sim/pose, sim/stepper, sim/surface, sim/vehicles
 sim/alongside sources: sim, sim/alongside, sim/base, sim/fall
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
-assets: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/lamps, sim/limbs, sim/pastimes
+assets: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/lamps, sim/lanes, sim/limbs, sim/pastimes
 assets/plan: assets, sim/base, sim/lamps
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/pastimes: assets, sim/base, sim/pastimes
@@ -53,11 +55,11 @@ assets/people/shapes: sim/base
 assets/alongside: assets, assets/people/shapes, sim/alongside, sim/base
 assets/people: assets, assets/people/shapes, sim/base, sim/body
 assets/levels: assets, assets/people, sim/base
-assets/district: assets, assets/plan, sim/base
+assets/district: assets, assets/plan, sim/base, sim/lanes
 assets/stages: assets, sim, sim/base, sim/deeds, sim/figures, sim/linkages, sim/movers, sim/surface, sim/ways
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
 assets/osm/read: assets, assets/files, assets/osm
-assets/osm/street: assets, assets/osm, assets/plan
+assets/osm/street: assets, assets/osm, assets/plan, sim/lanes
 assets/demand: assets, assets/files, assets/osm, sim/base, sim/coming
 assets/cache: assets, assets/files, sim/base, sim/navigation
 assets/gltf: assets, assets/files, sim/base

@@ -92,13 +92,19 @@ void add_balls(const Balls& balls, uint32_t mesh, PeopleFrame& people, float bet
 
 // The same of the phones that people have in their hands, whose one mesh comes after the ball.
 PersonMesh extract_phone();
-void add_phones(const World& world, uint32_t mesh, PeopleFrame& people, float between = 1,
-                uint32_t first_id = 0);
+void add_phones(const World& world, uint32_t mesh, PeopleFrame& people, float between = 1);
 
 // The same of what goes along with a world's people: dogs, wheelchairs, instruments and the like; they come
-// after the phone. None where nobody has company.
+// after vehicles. None where nobody has company.
 std::vector<PersonMesh> extract_alongside(const World& world);
 void add_alongside(const World& world, uint32_t first_mesh, PeopleFrame& people, float between = 1);
+// How many meshes of vehicles come after the phone: none where nobody could drive.
+uint32_t vehicle_mesh_count(const World& world);
+// What is uploaded for a world's vehicles, and they themselves as they are between ticks, with those who ride
+// bicycles.
+std::vector<PersonMesh> extract_vehicles();
+void add_vehicles(const World& world, const std::vector<Character>& characters, uint32_t first_mesh,
+                  PeopleFrame& people, float between = 1);
 
 struct Troupe;  // of sim/figures/figures.h
 // Adds a world's figures to what extract_people() found, before its linkages: figure i as characters[its

@@ -382,6 +382,8 @@ Result<Loaded> load(const Options& options) {
     world.groups = scene.groups;
     world.acquaintances = scene.acquaintances;
     world.along = scene.along;
+    world.lanes = loaded.city->lanes;
+    world.traffic = scene.traffic;
     world.limbs = scene.limbs;
     world.pastimes = scene.pastimes;
     world.pastime_places = pastime_places(*loaded.city);
@@ -459,6 +461,11 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     if (world.alongside) options.along = world.alongside->shares;
     options.pastimes = world.pastimes->shares;
     options.pastime_places = world.pastimes->places;
+    if (world.roads) {
+        options.lanes = world.roads->lanes;
+        if (options.crossings.all.empty()) options.crossings = world.roads->crossings;
+    }
+    options.traffic = world.vehicles.traffic;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
     options.navmesh = settings_of(*world.navmesh);

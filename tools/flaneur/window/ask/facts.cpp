@@ -66,6 +66,8 @@ void find_doing(const World& world, WalkerFacts& f) {
         f.doing = Doing::arrived;
     } else if (journey.arrived && wait > 0) {
         f.doing = Doing::stays, f.seconds = wait;
+    } else if (has_traffic(crowd.roadway) && crowd.scratch.lets_pass[f.number] != 0) {
+        f.doing = Doing::lets_pass;
     } else if (wait > 0) {
         f.doing = Doing::is_lost, f.seconds = wait;
     } else if (journey.path_due != PathDue::no) {
@@ -179,6 +181,8 @@ static std::string told_errand(const WalkerFacts& f) {
             return text;
         case Doing::is_at_lamp:
             return "stands at the lamp, which is green";
+        case Doing::lets_pass:
+            return "waits until those have passed who drive";
         case Doing::is_down:
             return "has fallen";
         case Doing::minds:

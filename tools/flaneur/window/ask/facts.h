@@ -27,6 +27,7 @@ enum class Doing : uint8_t {
     has_a_pastime,   // sits, leans, looks at a window, queues, uses a phone
     waits_for_lamp,  // that is red
     is_at_lamp,      // that is green: starts in a moment, or has come too late
+    lets_pass,       // who drives
 };
 
 struct WalkerFacts {

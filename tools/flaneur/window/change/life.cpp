@@ -20,6 +20,16 @@ void lay_out_lamps(Show& show, Viewer& v, float scale) {
     tip("of those who come to a crossing while its lamp is red; at 100 % nobody minds lamps");
 }
 
+void lay_out_traffic(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (!world.roads) return;
+    if (float traffic = world.vehicles.traffic; slide_share("traffic", traffic, scale)) {
+        set_traffic(world, traffic);
+        changed_by_hand(v.time, world);
+    }
+    tip("how many drive: at 0 % nobody, at 50 % as many as usual, at 100 % as in a rush hour");
+}
+
 void lay_out_pastimes(Show& show, Viewer& v, float scale) {
     World& world = *show.loaded.world;
     if (world.roam || is_on_course(world)) return;

@@ -368,6 +368,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_lamps(show, v, scale);
     lay_out_alongside(show, v, scale);
     lay_out_pastimes(show, v, scale);
+    lay_out_traffic(show, v, scale);
     if (!show.loaded.world->roam && !is_on_course(*show.loaded.world)) {
         ImGui::Spacing();
         lay_out_tools(v, scale);

@@ -61,6 +61,7 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     if (s.lamps) s.jaywalkers = show.loaded.world->jaywalkers;
     if (show.loaded.world->alongside) s.along = show.loaded.world->alongside->shares;
     s.pastimes = show.loaded.world->pastimes->shares;
+    s.traffic = show.loaded.world->vehicles.traffic;
     leave_out_nobody(s);
     s.views = show.work_views;
     s.quality = v.quality;
