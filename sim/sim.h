@@ -142,7 +142,7 @@ struct WorldOptions {
     // Dogs, wheelchairs, white canes, umbrellas and musicians among those who are set down or come in.
     AlongShares along{};
     // What people do who stay, and where: sit, lean, look at windows, line up, use a phone
-    // (docs/pastimes.md).
+    // (docs/life/pastimes.md).
     PastimeShares pastimes{};
     PastimePlaces pastime_places{};
     // Where one drives, and how many do, 0..1: 0 nobody, 0.5 as usual, 1 as in a rush hour.

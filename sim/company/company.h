@@ -7,7 +7,7 @@
 // common middle (Kendon, "Conducting Interaction", 1990) and talk by turns.
 //
 // What is decided of a group is written by that group alone, after everybody has moved; the crowd goes by it
-// in the next tick (Fellow). docs/company.md has the measured figures.
+// in the next tick (Fellow). docs/life/company.md has the measured figures.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ inline constexpr GroupShares k_no_groups{1, 0, 0, 0};
 inline constexpr GroupShares k_usual_groups{0.45f, 0.38f, 0.11f, 0.06f};
 inline bool has_groups(const GroupShares& shares) { return shares[1] + shares[2] + shares[3] > 0; }
 
-inline constexpr float k_never_alone = 10;  // years: children below go with others, where there are groups,
+inline constexpr float k_never_alone = 10;    // years: children below go with others, where there are groups,
 inline constexpr float k_holds_hands = 7.5f;  // and below that hold somebody's hand, nearly always below six
 
 // What a group does.
@@ -43,8 +43,8 @@ enum class Together : uint32_t {
     meets,  // are acquaintances who have come upon each other
 };
 
-// How far those who meet are (Kendon & Ferber, "A description of some human greetings", 1973): they greet from
-// afar, come up, greet again and talk.
+// How far those who meet are (Kendon & Ferber, "A description of some human greetings", 1973): they greet
+// from afar, come up, greet again and talk.
 enum class Encounter : uint32_t { sees, comes, greets, talks, parts };
 
 enum class Speech : uint32_t { silence, speech, laughter };
@@ -55,21 +55,21 @@ struct Group {
     uint32_t leader = 0;                             // which of them
     uint32_t mirrored = 0;                           // 0: the first goes at the left, 1: at the right
     Together does = Together::walks;
-    Vec2 ahead{0, 1};       // unit: which way they go
-    float narrow = 0;       // 0: abreast .. 1: one behind the other
-    float crowded = 0;      // strangers for each square metre about them
-    float speed = 1.34f;    // m/s, of the slowest
-    uint32_t waits = 0;     // 1: who leads stands, for one who has fallen behind
+    Vec2 ahead{0, 1};                 // unit: which way they go
+    float narrow = 0;                 // 0: abreast .. 1: one behind the other
+    float crowded = 0;                // strangers for each square metre about them
+    float speed = 1.34f;              // m/s, of the slowest
+    uint32_t waits = 0;               // 1: who leads stands, for one who has fallen behind
     uint32_t parted_since = k_never;  // tick: one of them has been away from the others
-    Vec2 middle{};          // of a ring, on the ground plane; of a row, its way
+    Vec2 middle{};                    // of a ring, on the ground plane; of a row, its way
     // So many are still to come in, by the way by which who leads has: until then it waits for them.
     uint32_t expects = 0, expects_until = 0;  // the latter a tick
     NavPoint entry{};
     float entry_heading = 0;
     uint32_t by_door = 0, brings_child = 0;
-    Encounter stage = Encounter::sees;           // of those who meet,
+    Encounter stage = Encounter::sees;         // of those who meet,
     uint32_t stage_began = 0, stage_ends = 0;  // ticks
-    uint32_t shakes_hands = 0;               // 1: rather than nod
+    uint32_t shakes_hands = 0;                 // 1: rather than nod
     // Who speaks, of the members, since when and until when; chance goes by how many turns there were.
     Speech speech = Speech::silence;
     uint32_t speaker = 0, turn = 0, turn_began = 0, turn_ends = 0;
@@ -77,17 +77,17 @@ struct Group {
 
 // How one of them bears itself.
 struct Bearing {
-    float gaze = 0;          // radians: yaw that the head is to have against the body
-    float bows = 0;          // radians: how far it is bowed to look at who is smaller
+    float gaze = 0;                          // radians: yaw that the head is to have against the body
+    float bows = 0;                          // radians: how far it is bowed to look at who is smaller
     uint32_t whom = k_nobody;                // one of the others,
     uint32_t gazes = 0;                      // 1: looks at that one, 0: ahead, or about,
     uint32_t gaze_began = 0, gaze_ends = 0;  // from this tick to that
-    uint32_t holds = k_nobody;  // whose hand it has, mostly of a child,
-    uint32_t holds_side = 0;    // with which Side of its own
-    float grip = 0;             // 0: hangs .. 1: hands are in each other
-    uint32_t runs_until = 0;    // tick: a child runs ahead,
-    uint32_t runs_next = 0;     // and may do so again from then on
-    uint32_t meets_next = 0;    // tick from which on it may stop for an acquaintance
+    uint32_t holds = k_nobody;               // whose hand it has, mostly of a child,
+    uint32_t holds_side = 0;                 // with which Side of its own
+    float grip = 0;                          // 0: hangs .. 1: hands are in each other
+    uint32_t runs_until = 0;                 // tick: a child runs ahead,
+    uint32_t runs_next = 0;                  // and may do so again from then on
+    uint32_t meets_next = 0;                 // tick from which on it may stop for an acquaintance
 };
 
 struct Company {

@@ -18,8 +18,8 @@ constexpr uint32_t k_looks_through = 400;  // walkers, for one whose age fits
 struct Dealer {
     std::span<const Folk> folk;
     uint64_t seed;
-    std::vector<uint32_t> body;   // by walker
-    std::vector<uint8_t> taken;   // 1: is in a group, or alone for good
+    std::vector<uint32_t> body;  // by walker
+    std::vector<uint8_t> taken;  // 1: is in a group, or alone for good
     const Folk& of(uint32_t i) const { return folk[body[i]]; }
 };
 
@@ -148,8 +148,8 @@ void stand_beside(Crowd& c, Squares& squares, const Surroundings& around, const 
     const Vec2 ahead = heading_direction(m.heading[leader]), left{ahead.z, -ahead.x};
     const NavPoint from{m.position[leader], m.polygon[leader]};
     const bool is_on_road = surface_of(mesh, from.polygon) == Surface::road;
-    const Vec2 places[] = {beside,       {-beside.x, beside.z}, {beside.x, -0.9f}, {-beside.x, -0.9f},
-                           {0, -0.95f},  {0.75f, -0.2f},        {-0.75f, -0.2f},   {0, -1.9f},
+    const Vec2 places[] = {beside,         {-beside.x, beside.z}, {beside.x, -0.9f}, {-beside.x, -0.9f},
+                           {0, -0.95f},    {0.75f, -0.2f},        {-0.75f, -0.2f},   {0, -1.9f},
                            {0.75f, -1.8f}, {-0.75f, -1.8f}};
     for (const Vec2 p : places) {
         const Vec2 wanted = on_ground(from.position) + left * p.x + ahead * p.z;
@@ -220,8 +220,7 @@ void form_groups(Company& company, Crowd& c, const Surroundings& around, const N
     Squares squares = squares_of(c);
     for (const Dealt& dealt : all) {
         std::array<WalkerId, k_most_company> who{};
-        for (uint32_t k = 0; k < dealt.count; ++k)
-            who[k] = {dealt.who[k], c.slots.generation[dealt.who[k]]};
+        for (uint32_t k = 0; k < dealt.count; ++k) who[k] = {dealt.who[k], c.slots.generation[dealt.who[k]]};
         Group& g = begin_group(company, c, folk, {who.data(), dealt.count}, dealt.leader, seed);
         const Shape shape = walking_shape(g, company.bearings, 0, false);
         for (uint32_t k = 0; k < g.count; ++k)

@@ -16,9 +16,9 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_goes = 0.3f;        // m/s, of who leads
-constexpr float k_parted = 3.5f;      // metres from where one should be
-constexpr uint32_t k_gives_up = 90 * 60;  // ticks, after which who is parted goes alone
+constexpr float k_goes = 0.3f;                            // m/s, of who leads
+constexpr float k_parted = 3.5f;                          // metres from where one should be
+constexpr uint32_t k_gives_up = 90 * 60;                  // ticks, after which who is parted goes alone
 constexpr float k_hastens = 1.25f, k_catches_up = 1.45f;  // times the usual speed, at most,
 constexpr float k_fastest = 1.9f, k_child_runs = 2.3f;    // m/s
 
@@ -73,8 +73,8 @@ float room_beside(const Guide& d, Vec2 side, float most) {
     const NavPoint here = d.from();
     const float room = room_at(here);
     if (length(d.c.motion.velocity[d.leader()]) < k_goes) return room;
-    return std::min(room, room_at(move_along(d.mesh, d.thread, here,
-                                             here.position + at_height(d.g.ahead * k_on, 0))));
+    return std::min(
+        room, room_at(move_along(d.mesh, d.thread, here, here.position + at_height(d.g.ahead * k_on, 0))));
 }
 
 // Which way they go, without a swing round of all where who leads turns back.
@@ -108,9 +108,9 @@ void look_about(Guide& d) {
 
 // Who goes at which side, and how narrow they go.
 Shape choose_shape(Guide& d) {
-    constexpr float k_margin = 0.2f, k_dear = 3, k_keeps = 0.6f;      // metres
-    constexpr float k_thin = 0.6f, k_dense = 1.2f;                    // strangers to a square metre
-    constexpr float k_narrows = 1 / 15.0f, k_widens = 1 / 30.0f;      // in a decision
+    constexpr float k_margin = 0.2f, k_dear = 3, k_keeps = 0.6f;  // metres
+    constexpr float k_thin = 0.6f, k_dense = 1.2f;                // strangers to a square metre
+    constexpr float k_narrows = 1 / 15.0f, k_widens = 1 / 30.0f;  // in a decision
     Group& g = d.g;
     const Shape shapes[] = {walking_shape(g, d.company.bearings, 0, false),
                             walking_shape(g, d.company.bearings, 0, true)};
@@ -150,8 +150,7 @@ bool is_safe_ahead(const Guide& d, float far, NavPoint& to) {
     const NavPoint from = d.from();
     const Vec2 wanted = d.g.ahead * far;
     to = move_along(d.mesh, d.thread, from, from.position + at_height(wanted, 0));
-    const NavPoint beyond =
-        move_along(d.mesh, d.thread, to, to.position + at_height(d.g.ahead * 2.5f, 0));
+    const NavPoint beyond = move_along(d.mesh, d.thread, to, to.position + at_height(d.g.ahead * 2.5f, 0));
     return length(on_ground(to.position - from.position) - wanted) < 0.1f &&
            !is_of_cars(surface_of(d.mesh, to.polygon)) && !is_of_cars(surface_of(d.mesh, beyond.polygon)) &&
            !is_of_cars(surface_of(d.mesh, from.polygon));
@@ -164,8 +163,9 @@ bool runs_ahead(const Guide& d, uint32_t i) {
     Bearing& b = d.bearing(i);
     if (b.holds != k_nobody || d.age(i) < k_youngest || d.age(i) > k_oldest) return false;
     auto drawn = [&](float least, float most, uint32_t index) {
-        return d.tick + static_cast<uint32_t>(
-                            random_between({d.seed, i, d.tick, Purpose::company}, least, most, index) / k_tick);
+        return d.tick +
+               static_cast<uint32_t>(
+                   random_between({d.seed, i, d.tick, Purpose::company}, least, most, index) / k_tick);
     };
     if (b.runs_next == 0) b.runs_next = drawn(0, k_most_between, 2);
     NavPoint to;
@@ -262,8 +262,7 @@ bool stand_in_ring(Guide& d) {
                 d.c.journeys[lead].facing = d.c.fellows[lead].facing = facing;
                 continue;
             }
-            const NavPoint to =
-                move_along(d.mesh, d.thread, d.from(), at_height(ring.at[k], d.at(lead).y));
+            const NavPoint to = move_along(d.mesh, d.thread, d.from(), at_height(ring.at[k], d.at(lead).y));
             set_spot(d, d.member(k), to.position, {}, facing);
         }
         return true;

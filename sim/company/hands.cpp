@@ -119,7 +119,8 @@ bool can_hold(const Holding& h, Side child_side, bool held) {
         own_of(c.called, h.child) || own_of(c.called, h.adult))
         return false;
     const Side adult_side = side_of(c, h.adult, h.child);
-    if (!has_hand_for(h.gait, h.child, child_side) || !has_hand_for(h.gait, h.adult, adult_side)) return false;
+    if (!has_hand_for(h.gait, h.child, child_side) || !has_hand_for(h.gait, h.adult, adult_side))
+        return false;
     const float turned = std::fabs(wrap_angle(c.motion.heading[h.child] - c.motion.heading[h.adult]));
     const Vec2 ahead = heading_direction(c.motion.heading[h.adult]);
     const float on = std::fabs(dot(on_ground(off), ahead));
@@ -142,9 +143,8 @@ Vec3 meeting_place(const Holding& h, Vec3 adult_shoulder, Vec3 child_shoulder, V
     // Not above the child's shoulder, and as low as the adult's arm lets it.
     const float low = adult_shoulder.y - k_hangs * adult_reach;
     const float height = std::max(low, child_shoulder.y - k_hangs * child_reach) + k_raised * child_reach;
-    Vec3 meets = at_height(on_ground(adult_shoulder) + between * k_to_child +
-                               ahead * (k_ahead + k_swing * swing),
-                           height);
+    Vec3 meets = at_height(
+        on_ground(adult_shoulder) + between * k_to_child + ahead * (k_ahead + k_swing * swing), height);
     for (int pass = 0; pass < 4; ++pass)
         for (const bool of_adult : {true, false}) {
             const Vec3 from = of_adult ? adult_shoulder : child_shoulder;
@@ -160,10 +160,9 @@ void put_hands_together(const Holding& h, Side child_side, float share, std::vec
     const Someone grown = h.of(h.adult), small = h.of(h.child);
     const ArmPlaces of_adult = arm_places(adult, grown.person, grown.lane, adult_side),
                     of_child = arm_places(child, small.person, small.lane, child_side);
-    const Vec3 meets =
-        meeting_place(h, of_adult.shoulder, of_child.shoulder, of_adult.palm, of_child.palm);
-    const Vec3 to_child = at_height(
-        normalize_or(on_ground(of_child.shoulder - of_adult.shoulder), heading_direction(0)), 0);
+    const Vec3 meets = meeting_place(h, of_adult.shoulder, of_child.shoulder, of_adult.palm, of_child.palm);
+    const Vec3 to_child =
+        at_height(normalize_or(on_ground(of_child.shoulder - of_adult.shoulder), heading_direction(0)), 0);
     const Vec3 ahead = at_height(heading_direction(h.c.motion.heading[h.adult]), 0);
     // The adult's palm faces the child and back, its fingers down; the child's hand lies in it.
     const Vec3 faces = normalize_or(to_child * 0.8f - ahead * 0.6f, to_child);
@@ -195,7 +194,8 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
 // Right hands of two who greet each other, whose arms are bent.
 void shake_hands(Company& company, const Group& g, const Crowd& c, const Gait& gait, uint32_t tick,
                  std::vector<PoseBlock>& poses) {
-    constexpr float k_reaches = k_tick / 0.5f, k_lets_go = k_tick / 0.5f, k_nearest = 0.6f, k_farthest = 1.25f;
+    constexpr float k_reaches = k_tick / 0.5f, k_lets_go = k_tick / 0.5f, k_nearest = 0.6f,
+                    k_farthest = 1.25f;
     constexpr float k_low = 0.62f, k_deep = 0.028f, k_hertz = 2.3f;  // of an arm; metres
     const uint32_t a = g.members[0].index, b = g.members[1].index;
     float& share = company.bearings[a].grip;

@@ -48,8 +48,7 @@ uint32_t draw_size(const Quota& quota, uint32_t least, RandomKey key) {
 }
 
 uint64_t hash_company(const Company& company) {
-    static_assert(sizeof(Group) == 4 * (8 + 4 + 2 + 5 + 2 + 2 + 4 + 3 + 4 + 5) &&
-                  sizeof(Bearing) == 4 * 12);
+    static_assert(sizeof(Group) == 4 * (8 + 4 + 2 + 5 + 2 + 2 + 4 + 3 + 4 + 5) && sizeof(Bearing) == 4 * 12);
     const uint64_t hash =
         hash_bytes(company.vacant, company.groups.data(), company.groups.size() * sizeof(Group));
     return hash_bytes(hash, company.bearings.data(), company.bearings.size() * sizeof(Bearing));
@@ -106,8 +105,7 @@ static void settle(Company& company, Crowd& c, std::span<const Folk> folk, Group
                 company.bearings[i].holds = adult;
         }
     }
-    if (hold_as_couple(c, folk, g, seed))
-        company.bearings[g.members[1].index].holds = g.members[0].index;
+    if (hold_as_couple(c, folk, g, seed)) company.bearings[g.members[1].index].holds = g.members[0].index;
 }
 
 Group& vacant_group(Company& company) {

@@ -11,8 +11,8 @@ inline constexpr float k_couples = 0.55f;  // of pairs of grown people; judged
 inline constexpr float k_unfit = 40;       // from which on one does not fit
 
 // How little one fits who would be that to the other, in years. Friends and couples are about as old
-// (McPherson, Smith-Lovin & Cook, Annual Review of Sociology 27, 2001), friends rather of one sex; parents are
-// some thirty years older than children.
+// (McPherson, Smith-Lovin & Cook, Annual Review of Sociology 27, 2001), friends rather of one sex; parents
+// are some thirty years older than children.
 float misfit(const Folk& one, const Folk& other, Kin kin);
 
 // How many of all people are to be in groups of each size, still.

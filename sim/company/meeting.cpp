@@ -187,7 +187,8 @@ void meet(Company& company, Crowd& c, const Navmesh&, std::span<const Folk> folk
             all_there &= length(on_ground(c.fellows[i].spot - c.motion.position[i])) < k_there &&
                          length(c.motion.velocity[i]) < k_stands;
         }
-        if (all_there) return set_stage(g, Encounter::greets, tick, g.shakes_hands != 0 ? k_shakes_for : k_nods_for);
+        if (all_there)
+            return set_stage(g, Encounter::greets, tick, g.shakes_hands != 0 ? k_shakes_for : k_nods_for);
     }
     if (tick < g.stage_ends) return;
     switch (g.stage) {

@@ -10,7 +10,8 @@ namespace flaneur {
 void find_meetings(Company& company, Crowd& crowd, const Navmesh& mesh, std::span<const Folk> folk,
                    uint32_t tick, uint64_t seed);
 
-// On with a meeting: they come up to each other, greet once more at 1 to 1.5 m, talk for 10 to 60 s, and part.
+// On with a meeting: they come up to each other, greet once more at 1 to 1.5 m, talk for 10 to 60 s, and
+// part.
 void meet(Company& company, Crowd& crowd, const Navmesh& mesh, std::span<const Folk> folk, Group& group,
           uint32_t tick, uint64_t seed);
 

@@ -47,7 +47,7 @@ Circle ring_of(const Group& group, const Crowd& crowd, Vec2 way, bool at_right_a
     constexpr float k_radius_of_two = 0.44f, k_radius_at_angle = 0.62f, k_radius_of_three = 0.52f,
                     k_radius_of_four = 0.62f;
     const bool is_pair = group.count == 2;
-    const float radius = group.count == 3 ? k_radius_of_three
+    const float radius = group.count == 3  ? k_radius_of_three
                          : group.count > 3 ? k_radius_of_four
                          : at_right_angle  ? k_radius_at_angle
                                            : k_radius_of_two;

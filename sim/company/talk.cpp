@@ -119,8 +119,7 @@ float nod_of(const Group& g, uint32_t member, uint32_t tick, uint64_t seed) {
     if (g.does == Together::meets && g.stage != Encounter::talks) {
         constexpr float k_chin = 0.2f, k_bow = 0.24f;  // radians
         const float since = seconds_since(g.stage_began, tick);
-        if (g.stage == Encounter::sees && !waves(g, member, seed))
-            return -k_chin * bump(since - 0.3f, 0.7f);
+        if (g.stage == Encounter::sees && !waves(g, member, seed)) return -k_chin * bump(since - 0.3f, 0.7f);
         return g.stage == Encounter::greets ? k_bow * bump(since - 0.1f, 0.8f) : 0;
     }
     if (g.speech == Speech::laughter) {
@@ -146,7 +145,7 @@ bool waves(const Group& g, uint32_t member, uint64_t seed) {
 }
 
 bool gestures(const Group& g, const Crowd& c, uint32_t member, Side side, uint32_t tick, uint64_t seed) {
-    constexpr float k_after = 0.3f, k_before = 0.7f, k_waves = 1.4f;                // seconds
+    constexpr float k_after = 0.3f, k_before = 0.7f, k_waves = 1.4f;  // seconds
     constexpr float k_standing = 0.8f, k_walking = 0.35f, k_other = 0.4f, k_right_handed = 0.7f;
     if (g.does == Together::meets && g.stage == Encounter::sees)
         return side == k_right && waves(g, member, seed) && seconds_since(g.stage_began, tick) < k_waves;
@@ -171,7 +170,8 @@ Vec3 beat_of(const Group& g, Side side, float height, uint32_t tick, uint64_t se
     auto wave = [&](float hertz, uint32_t index) {
         return sin_cos(2 * k_pi * (hertz * t + random_unit(key, of + index))).sine;
     };
-    const float quick = random_between(key, 0.8f, 1.3f, of + 5), large = random_between(key, 0.6f, 1.2f, of + 6);
+    const float quick = random_between(key, 0.8f, 1.3f, of + 5),
+                large = random_between(key, 0.6f, 1.2f, of + 6);
     const float out = side == k_left ? 1.0f : -1.0f;
     // Beats: down with what is stressed, and slower to the sides (McNeill, "Hand and Mind", 1992).
     const Vec3 moved{out * (0.012f + 0.014f * wave(0.37f * quick, 0)),

@@ -116,19 +116,21 @@ TEST(Company, WalksAsPeopleDo) {
     for (int n = 1; n <= 4; ++n) {
         const Tally& t = by_size[n];
         std::printf("%d: %.3f of people, %.2f m/s, narrow %.3f, parted %.4f of the time", n,
-                    double(t.people) / double(all), t.speed / double(t.walking), double(t.narrow) / double(t.walking),
-                    double(t.parted) / double(t.ticks));
+                    double(t.people) / double(all), t.speed / double(t.walking),
+                    double(t.narrow) / double(t.walking), double(t.parted) / double(t.ticks));
         if (n == 2)
             std::printf(", %.2f m apart, %.2f beside, lead %.3f of the time, %.1f s at most, farthest %.1f",
                         t.abreast / double(t.abreast_count), t.beside / double(t.abreast_count),
                         double(t.leads) / double(t.walking), double(t.longest_lead), double(t.farthest));
         std::printf("\n");
     }
-    std::printf("stand %.2f, wait %.3f, speak %.2f, expect %.3f; hands %.4f m mean, %.4f most, %.2f of the time; overlap %.3f\n",
-                double(in_ring) / double(group_ticks), double(waits) / double(group_ticks),
-                double(speaks) / double(group_ticks), double(come) / double(group_ticks),
-                grips ? double(grip_sum) / double(grips) : 0, double(worst_grip),
-                double(grips) / double(std::max<uint64_t>(hold_ticks, 1)), double(deepest));
+    std::printf(
+        "stand %.2f, wait %.3f, speak %.2f, expect %.3f; hands %.4f m mean, %.4f most, %.2f of the time; "
+        "overlap %.3f\n",
+        double(in_ring) / double(group_ticks), double(waits) / double(group_ticks),
+        double(speaks) / double(group_ticks), double(come) / double(group_ticks),
+        grips ? double(grip_sum) / double(grips) : 0, double(worst_grip),
+        double(grips) / double(std::max<uint64_t>(hold_ticks, 1)), double(deepest));
     EXPECT_LE(deepest, k_most_overlap + 1e-3f);
     EXPECT_LE(worst_grip, 0.01f);
 }

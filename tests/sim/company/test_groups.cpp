@@ -1,4 +1,5 @@
-// Groups on small grounds: who is in them, and that chance, threads and saved states have no part in what they do.
+// Groups on small grounds: who is in them, and that chance, threads and saved states have no part in what
+// they do.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -132,8 +133,8 @@ TEST(Meetings, BeginAndEnd) {
         for (const Called& called : w->crowd.called)
             EXPECT_NE(w->crowd.fellows[called.walker].group, k_no_group) << "nobody is forgotten there";
     }
-    std::printf("%u begun, %u ended, %u with a handshake, %u talked, %u of three\n", begun, ended, shaken, talked,
-                of_three);
+    std::printf("%u begun, %u ended, %u with a handshake, %u talked, %u of three\n", begun, ended, shaken,
+                talked, of_three);
     EXPECT_GT(begun, 10u);
     EXPECT_GT(talked, begun / 2);
     EXPECT_GT(ended, begun / 3);
