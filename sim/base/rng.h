@@ -29,6 +29,9 @@ enum class Purpose : uint32_t {
     personality,
     fall,
     lamp,
+    company,
+    along,
+    pastime,
     vehicle
 };
 

@@ -46,6 +46,7 @@ static constexpr float k_back_ahead = 0.4f;    // seconds
 static constexpr uint8_t k_door_tries = 4;     // until one leaves where it stands
 static constexpr float k_by_door = 1.1f;       // m/s, at most, of one who goes through a door
 static constexpr float k_door_ahead = 0.4f;    // metres, that it looks ahead
+static constexpr float k_for_others = 0.5f;    // of the pace, below which one rather waits for others
 static constexpr Stay k_stroll_stay{1.5f, 6};  // at a goal without a name
 
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
@@ -393,13 +394,16 @@ static WayWish go_by_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i,
                           uint64_t seed) {
     Journey& j = c.journeys[i];
     Heed heed;
+    // Who leads others goes as they can, and is not held up by them.
+    const float pace = c.fellows.empty() || c.fellows[i].leads == 0 ? 1 : c.fellows[i].pace;
+    if (pace < k_for_others) j.closest_tick = tick;
     if (minds_lamps(c.kerbs)) {
         const float ahead = c.identity.ahead[i];
         const PathGoer goer{.at = c.motion.position[i],
                             .velocity = c.motion.velocity[i],
                             .path = {&c.corners[size_t{i} * k_corners + j.corner],
                                      static_cast<size_t>(j.corner_count - j.corner)},
-                            .usual = c.identity.preferred_speed[i],
+                            .usual = c.identity.preferred_speed[i] * std::max(pace, k_for_others),
                             .ahead = ahead > 0 ? ahead + k_pram_reach : 0,
                             .trip = j.trip};
         heed = heed_lamp(c.kerbs, i, goer, tick, seed);
@@ -407,7 +411,8 @@ static WayWish go_by_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i,
     const bool has_path = j.corner < j.corner_count;
     const bool is_let = has_traffic(c.roadway) && !heed.waits && has_path && lets_pass(c, i, tick);
     if (has_traffic(c.roadway)) c.scratch.lets_pass[i] = is_let;
-    if (!heed.waits && !is_let) return {follow_path(c, mesh, thread, i, tick, seed) * heed.pace, true};
+    if (!heed.waits && !is_let)
+        return {follow_path(c, mesh, thread, i, tick, seed) * (heed.pace * pace), true};
     j.closest = 1e9f;
     j.closest_tick = tick;
     j.insists_since = k_never;

@@ -22,6 +22,7 @@
 #include "sim/crowd/demand.h"
 #include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
+#include "sim/fellows/fellows.h"
 #include "sim/ground/door.h"
 #include "sim/ground/surroundings.h"
 #include "sim/lamps/kerbs.h"
@@ -50,8 +51,9 @@ enum class Errand : uint8_t {
 // How one goes who goes about no errand of its own.
 struct Wayfarer {
     // After somebody; to its goal, waiting for somebody who comes along; away from somebody; by rays among
-    // walls; along circles on a platform; or as somebody else moves it (sim/stepping.h).
-    enum class Kind : uint32_t { follow, lead, flee, ramble, stagger, is_led };
+    // walls; along circles on a platform; as somebody else moves it (sim/stepping.h); or along with those it
+    // goes with (Fellow).
+    enum class Kind : uint32_t { follow, lead, flee, ramble, stagger, is_led, along };
     uint32_t walker = 0;
     Kind kind = Kind::follow;
     uint32_t waits = 0;  // 1: for the one it leads
@@ -92,7 +94,8 @@ struct Downed {
     std::array<LyingPart, k_lying_parts> parts{};
 };
 
-// Who goes straight to a place and stands there, whatever its errand is, until it is called off.
+// Who goes straight to a place and stands there, whatever its errand is, until it is called off. At speed 0
+// it stays where it is, and nobody moves it.
 struct Called {
     uint32_t walker = 0;
     Vec2 to{};        // on the ground plane
@@ -100,7 +103,13 @@ struct Called {
     float speed = 0;  // m/s, at most
 };
 
-// Who they are; constant.
+// What goes beside a walker, such as a dog on a lead: others keep clear of it as of a pram.
+struct GoesBeside {
+    uint32_t walker = 0;
+    Vec2 to{};  // metres from the walker to its middle
+};
+
+// Who they are; constant, but for the speed of who does something on the way (sim/pastimes).
 struct CrowdIdentity {
     std::vector<float> preferred_speed;  // metres a second, 0.3 .. 2
     std::vector<float> radius;           // of the body, metres
@@ -184,7 +193,7 @@ struct CrowdDecision {
 struct Seen {
     Vec3 position;
     Vec2 velocity;  // m/s; of one with a claim what it asks for, else what it has
-    Vec2 ahead;     // metres to the middle of the pram that it pushes; zero: of none
+    Vec2 ahead;     // metres to the middle of the pram that it pushes, or of what is beside it; zero: of none
     Vec2 course, aim;
     float radius = 0;
     uint32_t id = 0;
@@ -278,6 +287,8 @@ struct Crowd {
     std::vector<Wayfarer> wayfarers;  // of those who have one, by walker
     std::vector<Downed> downed;       // by walker
     std::vector<Called> called;       // by walker
+    Fellows fellows;                  // by walker; empty: nobody goes with others
+    std::vector<GoesBeside> beside;   // by walker
     Driven driven;
     March march;
     PassOn pass_on = PassOn::right;
@@ -382,6 +393,8 @@ bool is_led(const Crowd& crowd, uint32_t walker);
 // called who is driven, down, or comes in or leaves just now.
 void call(Crowd& crowd, const Called& how);
 void call_off(Crowd& crowd, uint32_t walker);
+// Whether it is called to stay where it is, so that nobody moves it.
+bool stays_put(const Crowd& crowd, uint32_t walker);
 // The velocity, m/s, of one who would go with `wanted` and finds somebody lying in its way, a few metres
 // ahead: round the nearer end of who lies there, where the mesh lets it.
 Vec2 round_who_lies(const Crowd& crowd, const Navmesh& mesh, uint32_t walker, Vec2 wanted);
@@ -407,8 +420,11 @@ struct Folk {
     bool woman = false;
 };
 
-// One of them by chance: all but its place.
+// One of them by chance: all but its place. And one with that body.
 Walker draw_walker(std::span<const Folk> folk, RandomKey key);
+Walker draw_walker_as(std::span<const Folk> folk, uint32_t body, RandomKey key);
+// A walker is such a one from now on, where it is. Before its gait has begun.
+void become(Crowd& crowd, uint32_t walker, const Walker& how);
 
 // The streets where a city is densest, about the median of its facades, as far as so many walkers need to
 // have some 60 square metres each.

@@ -87,6 +87,8 @@ JointTransform transform(Quat turn, Vec3 at) {
 
 }  // namespace
 
+uint32_t vehicle_mesh_count(const World& world) { return world.roads ? k_vehicle_models : 0; }
+
 std::vector<PersonMesh> extract_vehicles() {
     std::vector<PersonMesh> meshes(k_vehicle_models);
     for (int m = 0; m < k_vehicle_models; ++m) {
