@@ -2,6 +2,7 @@
 // in.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "assets/additions.h"
 #include "assets/look.h"
+#include "sim/alongside/shares.h"
 #include "sim/ball/planned_throw.h"
 #include "sim/base/result.h"
 #include "sim/crowd/habit.h"
@@ -107,14 +109,18 @@ struct Scene {
     LimbLead limbs = LimbLead::gait;                 // what leads theirs; curves only of those who ramble
     float drunk = 0;                                 // 0..1, see WorldOptions,
     int steppers = 0;                                // of the walkers, who step when they must, along
-    std::vector<Vec2> steppers_way;         // this closed line, metres; of two places, there and back
-    int drunks = 0;                         // and there; 0: all are so drunk
-    float helpers = k_usual_helpers;        // the same
-    bool lamps = false;                     // whether traffic lights work and people mind them
-    float jaywalkers = k_usual_jaywalkers;  // see WorldOptions
-    PastimeShares pastimes;                 // what they do who stay
-    bool flat = false;                      // of a course: all in one plane, seen from the side
-    std::optional<Vec3> look;               // of a course: where all look who can turn their heads there
+    std::vector<Vec2> steppers_way;           // this closed line, metres; of two places, there and back
+    int drunks = 0;                           // and there; 0: all are so drunk
+    float helpers = k_usual_helpers;          // the same
+    bool lamps = false;                       // whether traffic lights work and people mind them
+    float jaywalkers = k_usual_jaywalkers;    // see WorldOptions
+    std::array<float, 4> groups{1, 0, 0, 0};  // the same
+    float acquaintances = 0;                  // the same
+    AlongShares along;                        // of people; see WorldOptions
+    PastimeShares pastimes;                   // what they do who stay
+    float traffic = 0;                        // of who drives; see WorldOptions
+    bool flat = false;                        // of a course: all in one plane, seen from the side
+    std::optional<Vec3> look;                 // of a course: where all look who can turn their heads there
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
     float hour = 17.5f;  // of the day at the first tick, 0..24

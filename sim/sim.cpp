@@ -134,10 +134,22 @@ Result<void> check(const WorldOptions& o) {
     if (!is_within(o.drunk, 0, 1)) return Error{"WorldOptions::drunk must be within 0 and 1."};
     if (o.drunks > o.walkers) return Error{"WorldOptions::drunks must be at most WorldOptions::walkers."};
     if (!is_within(o.helpers, 0, 1)) return Error{"WorldOptions::helpers must be within 0 and 1."};
+    const AlongShares& along = o.along;
+    for (const float share : {along.dogs, along.wheelchairs, along.white_canes, along.umbrellas})
+        if (!is_within(share, 0, 1)) return Error{"Shares of WorldOptions::along must be within 0 and 1."};
     if (!is_within(o.jaywalkers, 0, 1)) return Error{"WorldOptions::jaywalkers must be within 0 and 1."};
+    if (!is_within(o.acquaintances, 0, 1))
+        return Error{"WorldOptions::acquaintances must be within 0 and 1."};
+    float grouped = 0;
+    for (const float share : o.groups) {
+        if (!is_within(share, 0, 1)) return Error{"WorldOptions::groups must be within 0 and 1."};
+        grouped += share;
+    }
+    if (grouped <= 0) return Error{"WorldOptions::groups must not all be 0."};
     for (const float share :
          {o.pastimes.sitting, o.pastimes.leaning, o.pastimes.phones, o.pastimes.windows, o.pastimes.queues})
         if (!is_within(share, 0, 1)) return Error{"WorldOptions::pastimes must be within 0 and 1."};
+    if (!is_within(o.traffic, 0, 1)) return Error{"WorldOptions::traffic must be within 0 and 1."};
     for (const Crossing& c : o.crossings.all) {
         const bool sound = is_finite(c.centre) && std::isfinite(c.half_length) && c.half_length > 0 &&
                            std::isfinite(c.half_width) && c.half_width > 0 &&

@@ -36,6 +36,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/alongside/shares.h"
 #include "sim/animation/clip.h"
 #include "sim/ball/ball.h"
 #include "sim/base/result.h"
@@ -51,6 +52,7 @@
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
 #include "sim/lamps/kerbs.h"
+#include "sim/lanes/lanes.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pastimes/places.h"
@@ -130,10 +132,22 @@ struct WorldOptions {
     // children, the old and the dutiful, more of those who have drunk.
     Crossings crossings{};
     float jaywalkers = k_usual_jaywalkers;
+    // How many of those who wander are alone, in pairs, in threes and in fours, against the others: they
+    // walk, stand and talk together, and children below ten are never alone. As it is, everybody is by
+    // itself.
+    std::array<float, 4> groups{1, 0, 0, 0};
+    // How likely two who come towards each other and walk alone know each other, 0..1: they greet, stop and
+    // talk.
+    float acquaintances = 0;
+    // Dogs, wheelchairs, white canes, umbrellas and musicians among those who are set down or come in.
+    AlongShares along{};
     // What people do who stay, and where: sit, lean, look at windows, line up, use a phone
-    // (docs/pastimes.md).
+    // (docs/life/pastimes.md).
     PastimeShares pastimes{};
     PastimePlaces pastime_places{};
+    // Where one drives, and how many do, 0..1: 0 nobody, 0.5 as usual, 1 as in a rush hour.
+    Lanes lanes{};
+    float traffic = 0;
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
 #include "sim/gait/hands.h"
@@ -137,9 +138,11 @@ void step_pose(World& w) {
         hold_items(w, block, dt);
         pose_pastimes(pastime_tick(w), block * k_block, (block + 1) * k_block);
     });
+    if (is_on(w.company)) pose_company(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed, w.poses);
     mind_falls(w);
     step_falls(w);
     pose_bystanders(w);
+    pose_alongside(w);
     if (w.stepping) turn_heads(w.stepping->bipeds, w.poses);
     for_due_blocks(w, [&](size_t block, float dt) {
         advance_trails(w.previous_poses, w.poses, block, block + 1, dt, w.previous_trails, w.trails);
@@ -152,7 +155,10 @@ void step_pose(World& w) {
 
 // Gait and pose, and the end of the tick.
 void step_bodies(World& w) {
-    timed(w, Stage::gait, [&] { step_gait(w); });
+    timed(w, Stage::gait, [&] {
+        step_gait(w);
+        if (is_on(w.company)) bear_themselves(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed);
+    });
     timed(w, Stage::pose, [&] {
         step_pose(w);
         step_linkages(w.linkages, *w.workers, w.tick);
@@ -171,6 +177,7 @@ void step_bodies(World& w) {
 static void come_and_go(World& w) {
     come_and_go(w.coming, w.crowd, w.around, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
     for (const uint32_t walker : w.coming.gone) end_body(w, walker);
+    if (is_on(w.company)) join_arrivals(w.company, w.crowd, w.coming, w.folk, w.tick, w.seed);
     for (const uint32_t walker : w.coming.arrivals) start_body(w, walker);
 }
 
@@ -182,7 +189,11 @@ void drive_crowd(World& w) {
     timed(w, Stage::think, [&] { think(w.crowd, *w.navmesh, *w.workers, w.tick, w.seed); });
     timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
-    timed(w, Stage::move, [&] { move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick); });
+    timed(w, Stage::move, [&] {
+        move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick);
+        step_vehicles(w.vehicles, w.crowd, w.tick, w.seed);
+        if (is_on(w.company)) guide(w.company, w.crowd, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
+    });
 }
 
 void drive_roam(World& w) {
@@ -203,7 +214,9 @@ void step(World& w) {
     give_planned_pushes(w);
     step_movers(w.movers, w.tick);
     if (!w.roam) step_balls(w);
+    think_alongside(w);
     w.drive(w);
+    move_alongside(w);
     if (w.stepping) step_those_who_step(w);
     step_bodies(w);
     count_journeys(w);

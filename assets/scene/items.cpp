@@ -74,6 +74,21 @@ static void take_kind(SceneReading& r, AddedItem& to, const std::string& name) {
     to.has_kind = true;
 }
 
+template <size_t Size>
+static SceneKey<SizeShares> group_key(const char* name, const char* example, const char* meaning) {
+    return {name,    {KeyKind::number, 0, 1},
+            "0",     example,
+            meaning, [](SceneReading&, SizeShares& to, const nlohmann::json& v) { to[Size - 1] = v; }};
+}
+
+const std::vector<SceneKey<SizeShares>>& group_keys() {
+    static const std::vector<SceneKey<SizeShares>> keys = {
+        group_key<1>("1", "0.45", "How many are alone."), group_key<2>("2", "0.38", "How many are in pairs."),
+        group_key<3>("3", "0.11", "How many are in threes."),
+        group_key<4>("4", "0.06", "How many are in fours.")};
+    return keys;
+}
+
 const std::vector<SceneKey<AddedItem>>& added_keys() {
     using enum KeyKind;
     using Reading = SceneReading;

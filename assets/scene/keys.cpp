@@ -22,6 +22,7 @@ constexpr size_t k_most_depth = 8, k_most_values = 10'000;
 
 void read_people(SceneReading& r, Scene& scene, const Json& list);
 void read_added(SceneReading& r, Scene& scene, const Json& list);
+void read_groups(SceneReading& r, Scene& scene, const Json& shares);
 
 template <auto list, auto parse>
 void read_texts(SceneReading& r, Scene& scene, const Json& texts) {
@@ -175,6 +176,29 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::jaywalkers>(
             "jaywalkers", {number, 0, 1}, "0.1", "0.05",
             "How many of those who come to a crossing while its lamp is red go on; only with lamps."),
+        {"groups",
+         {groups},
+         nullptr,
+         R"({"1": 0.45, "2": 0.38, "3": 0.11, "4": 0.06})",
+         "How many of the people are alone, in pairs, in threes and in fours, against the others, who walk, "
+         "stand and talk together; children below ten are never alone then. Without it everybody is by "
+         "itself.",
+         read_groups},
+        plain_key<&Scene::acquaintances>("acquaintances", {number, 0, 1}, "0", "0.05",
+                                         "How likely two who come towards each other, each alone, know each "
+                                         "other: they greet, stop and talk."),
+        along_key<&AlongShares::dogs>(
+            "dogs", "How many of the grown ones whose hands are free walk a dog on a lead."),
+        along_key<&AlongShares::wheelchairs>("wheelchairs", "How many of them go in a wheelchair."),
+        along_key<&AlongShares::white_canes>("white_canes",
+                                             "How many of them feel their way with a white cane."),
+        along_key<&AlongShares::umbrellas>("umbrellas", "How many of them hold an umbrella."),
+        {"musicians",
+         {whole, 0, 16},
+         "0",
+         "3",
+         "How many people more play on squares, with those who stop to listen.",
+         [](Reading&, Scene& s, const Json& v) { s.along.musicians = v.get<uint32_t>(); }},
         pastime_key<&PastimeShares::sitting>(
             "sitting", "0.5", "How many of those who stop at benches and may sit down there do."),
         pastime_key<&PastimeShares::leaning>("leaning", "0.3",
@@ -185,6 +209,9 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "windows", "1", "How many of those who like to look into shop windows as they pass do."),
         pastime_key<&PastimeShares::queues>("queues", "0.1",
                                             "How many of those who pass a stall line up there."),
+        plain_key<&Scene::traffic>(
+            "traffic", {number, 0, 1}, "0", "0.5",
+            "How many cars, vans, buses and bicycles drive: 0 none, 0.5 as usual, 1 as in a rush hour."),
         {"idles",
          {texts},
          nullptr,
@@ -316,6 +343,8 @@ std::string refusal(const KeyRule& rule, const Json& value) {
             return value.is_array() ? "" : R"(a list such as [{"builtin": true, "share": 9}])";
         case KeyKind::added:
             return value.is_array() ? "" : R"(a list such as [{"what": "bench", "at": "12.5,0,-3"}])";
+        case KeyKind::groups:
+            return value.is_object() ? "" : R"(shares such as {"1": 0.45, "2": 0.55})";
     }
     return "";
 }
@@ -374,6 +403,13 @@ void read_added(SceneReading& r, Scene& scene, const Json& list) {
         scene.added.push_back(item.added);
         r.path.pop_back();
     }
+}
+
+// Sizes that are not named are of nobody; where none is, everybody is alone.
+void read_groups(SceneReading& r, Scene& scene, const Json& shares) {
+    scene.groups = {};
+    read_keys(r, group_keys(), "it", shares, scene.groups);
+    if (scene.groups == SizeShares{}) scene.groups = {1, 0, 0, 0};
 }
 
 // Where a number is too large for a parser, which says its digits but not its place.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -27,7 +28,7 @@ std::string in_quotes(std::string text);
 // Something is wrong where it is.
 void add_fault(SceneReading& r, const std::string& what, bool of_key = false);
 
-enum class KeyKind { flag, whole, number, text, texts, people, added };
+enum class KeyKind { flag, whole, number, text, texts, people, added, groups };
 
 // What may stand at a key.
 struct KeyRule {
@@ -96,10 +97,15 @@ struct AddedItem {
     bool has_kind = false, has_at = false, has_to = false, has_turn = false;
 };
 
-// Of a scene, in the order of its schema and of docs/scenes.md; of one of "people", and of one of "added".
+// How many go alone, in pairs, in threes and in fours.
+using SizeShares = std::array<float, 4>;
+
+// Of a scene, in the order of its schema and of docs/scenes.md; of one of "people", of one of "added", and of
+// "groups".
 const std::vector<SceneKey<Scene>>& scene_keys();
 const std::vector<SceneKey<PeopleItem>>& people_keys();
 const std::vector<SceneKey<AddedItem>>& added_keys();
+const std::vector<SceneKey<SizeShares>>& group_keys();
 // A bound of a number, whole ones without a point.
 nlohmann::ordered_json schema_bound(double value);
 // What is wrong with one as a whole; empty: nothing.
@@ -115,6 +121,14 @@ SceneKey<Scene> mix_key(const char* name, const char* meaning) {
     return {name,    {KeyKind::number, 0, k_most_mix},
             "1",     "2",
             meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.mix.*Times = v; }};
+}
+
+// or what goes along with so many of them.
+template <float AlongShares::*Share>
+SceneKey<Scene> along_key(const char* name, const char* meaning) {
+    return {name,    {KeyKind::number, 0, 1},
+            "0",     "0.05",
+            meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.along.*Share = v; }};
 }
 
 // how many people do something where they stay.

@@ -74,6 +74,9 @@ OrderedJson key_schema(const SceneKey<Of>& key) {
                 {"required": ["what", "at"], "properties": {"what": {"enum": ["planter", "car", "tree", "bench", "lamp"]},
                                                             "to": false}}])");
             break;
+        case KeyKind::groups:
+            one = object_schema(group_keys());
+            break;
     }
     one["description"] = key.meaning;
     if (key.usual) one["default"] = OrderedJson::parse(key.usual);

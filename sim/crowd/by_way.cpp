@@ -190,6 +190,48 @@ static WayWish stagger(const Goer& g, float seconds) {
     return {way * who.speed, false};
 }
 
+// As fast as brings one there who is so far from a place that moves on, or stands.
+static Vec2 wish_to_spot(const Fellow& f, Vec2 to) {
+    constexpr float k_catches_up_in = 1.1f, k_slows = 1.6f;  // seconds; 1/s
+    constexpr float k_there = 0.1f, k_turns_back = 1.8f;     // metres
+    constexpr float k_least = 0.2f;                          // of the speed, of one who is too far ahead
+    const float drift = length(f.drift), far = length(to);
+    if (drift < k_least_going) return far < k_there ? Vec2{} : to * (std::min(f.most, k_slows * far) / far);
+    Vec2 wish = f.drift + to / k_catches_up_in;
+    const Vec2 way = f.drift / drift;
+    if (far < k_turns_back) wish += way * std::max(k_least * drift - dot(wish, way), 0.0f);
+    const float speed = length(wish);
+    return speed > f.most ? wish * (f.most / speed) : wish;
+}
+
+// With those one goes with: straight to where one should be among them, or by the best way.
+static WayWish along(const Goer& g) {
+    const Fellow& f = g.c.fellows[g.i];
+    Journey& j = g.c.journeys[g.i];
+    if (f.most <= 0) return {};  // nobody has told it yet
+    j.facing = f.facing;
+    const float passed = static_cast<float>(g.tick - f.since) * k_tick;
+    const Vec3 there = f.spot + at_height(f.drift * passed, 0);
+    const Vec2 to = on_ground(there - g.at());
+    if (std::fabs(there.y - g.at().y) < k_other_level && is_clear_to(g, f.spot)) {
+        j.corner = j.corner_count = 0;
+        j.path_due = PathDue::no;
+        const Vec2 wish = wish_to_spot(f, to);
+        g.c.decision.looks[g.i] = wish == Vec2{} && f.facing != Vec2{};
+        return {wish, false};
+    }
+    const bool is_over = j.corner >= j.corner_count && g.tick - j.closest_tick > k_asks_again;
+    const bool is_stale = is_over || length(on_ground(j.goal.position - f.spot)) > 2 * k_stale;
+    if (is_stale && j.path_due == PathDue::no && g.tick >= j.pause_until) {
+        if (const auto place = nearest(g.mesh, g.thread, f.spot)) {
+            j.goal = *place;
+            j.path_due = PathDue::to_goal;
+        }
+    }
+    const Vec2 way = follow_path(g.c, g.mesh, g.thread, g.i, g.tick, g.seed);
+    return {way * (f.most / std::max(g.speed(), k_least_going)), true};
+}
+
 static WayWish wish_of(const Goer& g) {
     switch (g.way.kind) {
         case Wayfarer::Kind::follow:
@@ -202,6 +244,8 @@ static WayWish wish_of(const Goer& g) {
             return ramble(g);
         case Wayfarer::Kind::is_led:
             return {g.c.motion.wish[g.i], false};
+        case Wayfarer::Kind::along:
+            return along(g);
         case Wayfarer::Kind::stagger:
             break;
     }
@@ -237,7 +281,8 @@ Vec2 round_who_lies(const Crowd& c, const Navmesh& mesh, uint32_t i, Vec2 wanted
     const Called* called = c.called.empty() ? nullptr : own_of(c.called, i);
     const float sees = called ? std::min(k_sees, length(called->to - on_ground(here))) : k_sees;
     const Vec2 way = wanted / speed;
-    const float room = c.identity.radius[i] + (called ? k_beside : k_broad);
+    const float half = c.identity.ahead[i] > 0 ? k_pram_radius : c.identity.radius[i];
+    const float room = half + (called ? k_beside : k_broad);
     // Of the nearest that is in the way: its ends, and how far aside they are.
     float nearest_on = sees;
     Vec2 ends[2];

@@ -26,7 +26,7 @@ Crowd make_crowd(uint32_t capacity) {
     CrowdDecision& d = c.decision;
     resize_to(capacity, d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
-    resize_to(capacity, c.journeys, c.way_back, s.order, s.intents);
+    resize_to(capacity, c.journeys, c.way_back, s.order, s.intents, s.lets_pass);
     c.corners.resize(size_t{capacity} * k_corners);
     c.at_once.assign(block_count(capacity), 1);
     s.woken.assign(block_count(capacity), 0);
@@ -103,17 +103,9 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.motion.turn_rate[i] = c.motion.brakes[i] = 0;
     c.motion.feet[i] = {};
     c.motion.polygon[i] = w.place.polygon;
-    c.identity.preferred_speed[i] = w.preferred_speed;
-    c.identity.radius[i] = w.radius;
+    become(c, i, w);
     c.widest = std::max(c.widest, w.radius);
-    c.identity.lateral[i] = w.lateral;
-    c.identity.body[i] = w.body;
-    c.identity.scale[i] = w.scale;
-    c.identity.stair_pace[i] = w.stair_pace;
-    c.identity.ahead[i] = w.ahead;
-    c.identity.room[i] = w.room;
-    c.identity.patience[i] = w.patience;
-    c.identity.linger[i] = w.linger;
+    if (!c.fellows.empty()) c.fellows[i] = {};
     c.decision.wanted[i] = c.decision.course[i] = c.decision.aim[i] = c.decision.chosen[i] = {};
     c.decision.looks[i] = 0;
     if (minds_lamps(c.kerbs)) leave_kerb(c.kerbs, i);
@@ -145,6 +137,8 @@ void remove_walker(Crowd& c, uint32_t i) {
     if (c.driven.walker == i) c.driven = {};
     (void)take_away(c.downed, i);
     (void)take_away(c.called, i);
+    if (!c.fellows.empty()) c.fellows[i] = {};
+    (void)take_away(c.beside, i);
     if (minds_lamps(c.kerbs)) leave_kerb(c.kerbs, i);
 }
 
@@ -299,6 +293,7 @@ uint64_t hash_crowd(const Crowd& c) {
         h = hash_bytes(h, c.march.pace.data(), c.march.pace.size() * sizeof(float));
         h = hash_bytes(h, c.march.turns.data(), c.march.turns.size() * sizeof(SlowTurn));
     }
+    if (!c.beside.empty()) h = hash_bytes(h, c.beside.data(), c.beside.size() * sizeof(GoesBeside));
     const Traffic& traffic = c.traffic;
     if (traffic.is_slow || traffic.done > 0) {
         h = hash_bytes(h, traffic.slow.data(), traffic.slow.size() * sizeof(float));

@@ -22,9 +22,11 @@
 #include "sim/crowd/demand.h"
 #include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
+#include "sim/fellows/fellows.h"
 #include "sim/ground/door.h"
 #include "sim/ground/surroundings.h"
 #include "sim/lamps/kerbs.h"
+#include "sim/lanes/roadway.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/navigation/traffic.h"
@@ -49,8 +51,9 @@ enum class Errand : uint8_t {
 // How one goes who goes about no errand of its own.
 struct Wayfarer {
     // After somebody; to its goal, waiting for somebody who comes along; away from somebody; by rays among
-    // walls; along circles on a platform; or as somebody else moves it (sim/stepping.h).
-    enum class Kind : uint32_t { follow, lead, flee, ramble, stagger, is_led };
+    // walls; along circles on a platform; as somebody else moves it (sim/stepping.h); or along with those it
+    // goes with (Fellow).
+    enum class Kind : uint32_t { follow, lead, flee, ramble, stagger, is_led, along };
     uint32_t walker = 0;
     Kind kind = Kind::follow;
     uint32_t waits = 0;  // 1: for the one it leads
@@ -98,6 +101,12 @@ struct Called {
     Vec2 to{};        // on the ground plane
     Vec2 facing{};    // unit: where it looks as it stands
     float speed = 0;  // m/s, at most
+};
+
+// What goes beside a walker, such as a dog on a lead: others keep clear of it as of a pram.
+struct GoesBeside {
+    uint32_t walker = 0;
+    Vec2 to{};  // metres from the walker to its middle
 };
 
 // Who they are; constant, but for the speed of who does something on the way (sim/pastimes).
@@ -184,7 +193,7 @@ struct CrowdDecision {
 struct Seen {
     Vec3 position;
     Vec2 velocity;  // m/s; of one with a claim what it asks for, else what it has
-    Vec2 ahead;     // metres to the middle of the pram that it pushes; zero: of none
+    Vec2 ahead;     // metres to the middle of the pram that it pushes, or of what is beside it; zero: of none
     Vec2 course, aim;
     float radius = 0;
     uint32_t id = 0;
@@ -223,8 +232,9 @@ struct CrowdScratch {
     bool is_ordered = false;            // nobody came or went since
     std::vector<Intent> intents;        // by walker
     std::vector<uint8_t> woken;         // by block: 1: it was afar until this tick
-    float strays = 0;                   // metres from where one was filed, at most
-    std::vector<uint32_t> requests;     // walkers whose path is sought
+    std::vector<uint8_t> lets_pass;  // by walker: 1: it waits before a carriageway until who comes has passed
+    float strays = 0;                // metres from where one was filed, at most
+    std::vector<uint32_t> requests;  // walkers whose path is sought
 };
 
 // Which slots are taken by whom.
@@ -277,6 +287,8 @@ struct Crowd {
     std::vector<Wayfarer> wayfarers;  // of those who have one, by walker
     std::vector<Downed> downed;       // by walker
     std::vector<Called> called;       // by walker
+    Fellows fellows;                  // by walker; empty: nobody goes with others
+    std::vector<GoesBeside> beside;   // by walker
     Driven driven;
     March march;
     PassOn pass_on = PassOn::right;
@@ -287,6 +299,7 @@ struct Crowd {
     Demand demand;           // what draws them
     Traffic traffic;         // where they crowd
     Kerbs kerbs;             // who waits for lamps
+    Roadway roadway;         // who drives
     CrowdScratch scratch;
 };
 
@@ -407,8 +420,11 @@ struct Folk {
     bool woman = false;
 };
 
-// One of them by chance: all but its place.
+// One of them by chance: all but its place. And one with that body.
 Walker draw_walker(std::span<const Folk> folk, RandomKey key);
+Walker draw_walker_as(std::span<const Folk> folk, uint32_t body, RandomKey key);
+// A walker is such a one from now on, where it is. Before its gait has begun.
+void become(Crowd& crowd, uint32_t walker, const Walker& how);
 
 // The streets where a city is densest, about the median of its facades, as far as so many walkers need to
 // have some 60 square metres each.

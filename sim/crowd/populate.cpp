@@ -89,9 +89,15 @@ Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
     float total = 0;
     for (const Folk& f : folk) total += f.share;
     float drawn = random_unit(key, 0) * total, before = 0;
+    uint32_t body = 0;
+    while (body + 1 < folk.size() && drawn >= (before += folk[body].share)) ++body;
+    return draw_walker_as(folk, body, key);
+}
+
+Walker draw_walker_as(std::span<const Folk> folk, uint32_t body, RandomKey key) {
     Walker w;
-    while (w.body + 1 < folk.size() && drawn >= (before += folk[w.body].share)) ++w.body;
-    const Folk& own = folk[w.body];
+    w.body = body;
+    const Folk& own = folk[body];
     const Personality personality =
         draw_personality(own.age, own.woman, {key.seed, key.walker, key.when, Purpose::personality});
     const float pace = pace_score(personality, usual_personality(own.age, own.woman), random_normal(key, 1));
@@ -106,6 +112,20 @@ Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
     key.purpose = Purpose::lateral;
     w.lateral = random_between(key, 0.15f, 2.2f);
     return w;
+}
+
+void become(Crowd& c, uint32_t i, const Walker& w) {
+    CrowdIdentity& who = c.identity;
+    who.preferred_speed[i] = w.preferred_speed;
+    who.radius[i] = w.radius;
+    who.lateral[i] = w.lateral;
+    who.body[i] = w.body;
+    who.scale[i] = w.scale;
+    who.stair_pace[i] = w.stair_pace;
+    who.ahead[i] = w.ahead;
+    who.room[i] = w.room;
+    who.patience[i] = w.patience;
+    who.linger[i] = w.linger;
 }
 
 // Where a walker might stand; polygon 0: not there.

@@ -7,6 +7,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/deciders.h"
 #include "sim/crowd/places.h"
+#include "sim/lanes/near.h"
 
 namespace flaneur {
 
@@ -32,7 +33,10 @@ static constexpr float k_beside = 0.3f;         // who are so far to the usual s
 static constexpr int k_looked_at = 256;         // people
 static constexpr float k_pram_headway = 0.35f;  // seconds: who meets a pram gets past it
 static constexpr float k_follows = 0.6f;        // seconds within which one shall not touch one ahead
-static constexpr int k_firm = 2 * k_borders;
+static constexpr float k_off_who_talk = 0.12f;  // metres, and from who stands with others
+static constexpr float k_fellows_horizon = 0.5f, k_fellows_headway = 0.3f;  // seconds, of those together
+static constexpr int k_vehicles = 3;                                        // that one keeps off at one time
+static constexpr int k_firm = 2 * k_borders + k_vehicles;
 static_assert(k_firm + k_neighbours <= k_most_planes);
 
 // Whether two with these courses go the same way.
@@ -181,6 +185,24 @@ static int keep_in(const Navmesh& mesh, const Seen& me, bool lifts, Vec2 velocit
     return me.ahead == Vec2{} || lifts ? count : keep_pram_in(mesh, me, planes, count);
 }
 
+// Bodies of vehicles, as walls that may go away.
+static int keep_off_vehicles(const Roadway& roadway, const Seen& me, HalfPlane* planes, int count) {
+    constexpr float k_apart = 0.08f;  // metres
+    const int most = std::min(count + k_vehicles, k_firm);
+    const Vec2 p = on_ground(me.position);
+    if (!is_near_vehicles(roadway, p)) return count;
+    for_boxes_near(roadway, p, k_border_reach + me.radius, [&](uint32_t k) {
+        const VehicleBox& box = roadway.boxes[k];
+        if (count == most || std::fabs(box.y - me.position.y) > k_other_level) return;
+        const OffBox off = off_box(box, p);
+        const float room = off.far - me.radius - k_apart;
+        if (room > k_border_reach) return;
+        const float leaves = std::min(dot(box.ahead, off.out) * box.speed, 0.0f);
+        planes[count++] = {off.out, leaves - border_speed(std::max(room, 0.0f))};
+    });
+    return count;
+}
+
 // Prams that are near, one's own or the other's. No claim is so good that one minds none: they cannot step
 // aside.
 static void add_prams(const Seen& me, const Seen& other, float share, int lane, Deciders& d) {
@@ -212,7 +234,7 @@ static bool add_neighbours(const Crowd& c, const Seen& me, const Intent& intent,
                            Deciders& d) {
     const SeenRows& rows = c.scratch.seen;
     bool is_close = false, meets = false;
-    const bool any_down = !c.downed.empty();
+    const bool any_down = !c.downed.empty(), any_fellows = !c.fellows.empty();
     for (int k = 0; k < d.near_count[lane]; ++k) {
         const Seen& other = rows.all[d.near[lane][k]];
         float share = share_of(claim, other.claim), hurry = 1 / k_horizon;
@@ -220,7 +242,11 @@ static bool add_neighbours(const Crowd& c, const Seen& me, const Intent& intent,
         // round: so of any two one is free to go, and nobody waits for somebody who waits for him.
         const bool has_pram = me.ahead != Vec2{} || other.ahead != Vec2{};
         float swath = k_swath, pace = has_pram ? 1 / k_pram_headway : 1 / k_meeting_headway;
-        if (!has_pram && go_together(me.course, other.course)) {
+        if (any_fellows && !has_pram && are_together(c.fellows, me.id, other.id)) {
+            // They walk shoulder to shoulder, and neither is behind.
+            hurry = 1 / k_fellows_horizon, pace = 1 / k_fellows_headway;
+            swath = k_hurried_swath;
+        } else if (!has_pram && go_together(me.course, other.course)) {
             hurry = 1 / k_follows;
             pace = (intent.hurries ? 1 / k_hurried_headway : 1 / k_headway) / intent.room;
             swath = intent.hurries ? k_hurried_swath : k_swath;
@@ -230,7 +256,10 @@ static bool add_neighbours(const Crowd& c, const Seen& me, const Intent& intent,
             if (before != 0) share = before > 0 ? 1.0f : 0.0f;
         }
         const Vec2 between = on_ground(other.position - me.position);
-        const float radii = me.radius + other.radius;
+        // Nobody passes between those who stand together.
+        const bool stand_together =
+            any_fellows && c.fellows[other.id].facing != Vec2{} && !are_together(c.fellows, me.id, other.id);
+        const float radii = me.radius + other.radius + (stand_together ? k_off_who_talk : 0);
         meets |= dot(me.course, other.course) < k_against;
         is_close |= length_squared(between) < (radii + k_throng) * (radii + k_throng);
         MeetingRows& to = d.neighbours[k];
@@ -324,9 +353,13 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
         d.makes_room.lanes[lane] = side_to_make_room(c.scratch, d, lane, side);
         // Who walks back onto the mesh crosses its border.
-        firm_count[lane] = intent.by_door     ? keep_in_line(intent.wanted, firm[lane])
-                           : intent.is_beside ? 0
-                                              : keep_in(mesh, me, intent.lifts, velocity, firm[lane]);
+        firm_count[lane] =
+            intent.by_door ? keep_in_line(intent.wanted, firm[lane])
+            : intent.is_beside
+                ? 0
+                : keep_in(mesh, me, intent.lifts || c.identity.ahead[me.id] == 0, velocity, firm[lane]);
+        if (has_traffic(c.roadway) && !intent.by_door)
+            firm_count[lane] = keep_off_vehicles(c.roadway, me, firm[lane], firm_count[lane]);
         is_thronged[lane] = add_neighbours(c, me, intent, claim, lane, d);
     }
     set_firm(firm, firm_count, d);

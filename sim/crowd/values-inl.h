@@ -102,6 +102,14 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
         add_of_wait("kerb", &KerbWait::kerb), add_of_wait("spot", &KerbWait::spot);
         add_of_wait("since", &KerbWait::since), add_of_wait("to", &KerbWait::to);
     }
+    if (!c.fellows.empty()) {
+        const Fellow& fellow = c.fellows[i];
+        constexpr FieldName k_fellow{"fellow"};
+        add(k_fellow, "group", fellow.group), add(k_fellow, "leads", fellow.leads);
+        add(k_fellow, "pace", fellow.pace), add(k_fellow, "most", fellow.most);
+        add(k_fellow, "spot", fellow.spot), add(k_fellow, "since", fellow.since);
+        add(k_fellow, "drift", fellow.drift), add(k_fellow, "facing", fellow.facing);
+    }
     add(k_journey, "way_back", c.way_back[i].polygon ? &c.way_back[i] : nullptr);
 }
 

@@ -50,6 +50,10 @@ constexpr HoldShape k_shapes[k_hold_count] = {
     {HoldAnchor::chest, 0.65f, 0.574f, 1, 0.027f, -0.374f, 0.083f, -0.551f, -0.172f, 0.02f, 0.02f},
     // handle
     {HoldAnchor::ground, 0.1f, 0.56f, 0.2f, 0, -0.394f, -0.22f, -0.011f, 0.348f, 0.02f, 0.02f},
+    // tells
+    {HoldAnchor::chest, 0.78f, 0.3f, 1, 0.11f, -0.35f, 0.2f, 0.05f, 0.05f, 0.03f, 0.02f},
+    // waves
+    {HoldAnchor::chest, 1.3f, 1.15f, 1, 0.1f, -0.2f, 0.1f, -0.1f, 0, 0.04f, 0.06f},
 };
 
 constexpr float k_time = 0.9f;                    // seconds that a hand takes

@@ -28,8 +28,10 @@ enum class Hold : int32_t {
     bag_strap,   // across the chest, from this side's shoulder
     pack_strap,  // of a backpack
     handle,      // both hands on a bar ahead of the body
+    tells,       // before the belly, palm up and inward, as of one who speaks
+    waves,       // beside the head, palm ahead
 };
-inline constexpr int k_hold_count = 13;
+inline constexpr int k_hold_count = 15;
 
 // One tick of `dt` seconds of one hand's way to `wanted`, or away from what it has where that is another:
 // some `time` seconds, slowly at both ends, round the body. `moved` metres are added to its place, in the

@@ -41,8 +41,7 @@ PersonMesh extract_phone() {
     return mesh;
 }
 
-void add_phones(const World& world, uint32_t mesh, PeopleFrame& frame, float between, uint32_t first_id) {
-    uint32_t count = 0;
+void add_phones(const World& world, uint32_t mesh, PeopleFrame& frame, float between) {
     for (const Pastime& p : world.pastimes->all) {
         const auto at = phone_of(*world.pastimes, world.gait, p.walker, world.tick,
                                  joint_between(world, p.walker, right_hand, between));
@@ -50,7 +49,7 @@ void add_phones(const World& world, uint32_t mesh, PeopleFrame& frame, float bet
         WalkerDraw draw;
         draw.mesh = mesh;
         draw.is_upright = false;
-        draw.id = id_of(IdKind::mover, first_id + count++);
+        draw.id = id_of(IdKind::walker, p.walker);
         draw.instance.scale = 1;
         draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
         std::ranges::fill(draw.instance.tints, 0xffffffffu);

@@ -27,6 +27,7 @@
 #include "assets/stages/planets.h"
 #include "assets/stages/platform.h"
 #include "assets/stages/yard.h"
+#include "sim/alongside/alongside.h"
 #include "sim/base/zone.h"
 #include "sim/pastimes/pastimes.h"
 #include "tools/flaneur/console/console.h"
@@ -378,6 +379,11 @@ Result<Loaded> load(const Options& options) {
     world.helpers = scene.helpers;
     world.crossings = loaded.city->crossings;
     world.jaywalkers = scene.jaywalkers;
+    world.groups = scene.groups;
+    world.acquaintances = scene.acquaintances;
+    world.along = scene.along;
+    world.lanes = loaded.city->lanes;
+    world.traffic = scene.traffic;
     world.limbs = scene.limbs;
     world.pastimes = scene.pastimes;
     world.pastime_places = pastime_places(*loaded.city);
@@ -450,8 +456,16 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.helpers = world.bystanders.helpers;
     if (minds_lamps(world.crowd.kerbs)) options.crossings = world.crowd.kerbs.map->crossings;
     options.jaywalkers = world.jaywalkers;
+    options.groups = world.company.shares;
+    options.acquaintances = world.company.acquaintances;
+    if (world.alongside) options.along = world.alongside->shares;
     options.pastimes = world.pastimes->shares;
     options.pastime_places = world.pastimes->places;
+    if (world.roads) {
+        options.lanes = world.roads->lanes;
+        if (options.crossings.all.empty()) options.crossings = world.roads->crossings;
+    }
+    options.traffic = world.vehicles.traffic;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
     options.navmesh = settings_of(*world.navmesh);

@@ -23,9 +23,11 @@ enum class Doing : uint8_t {
     roams,           // on a compound, where nobody has goals
     is_down,         // has fallen, lies or gets up
     minds,           // that somebody has fallen
+    is_with,         // others
     has_a_pastime,   // sits, leans, looks at a window, queues, uses a phone
     waits_for_lamp,  // that is red
     is_at_lamp,      // that is green: starts in a moment, or has come too late
+    lets_pass,       // who drives
 };
 
 struct WalkerFacts {
@@ -45,6 +47,8 @@ struct WalkerFacts {
     uint32_t whom = 0;                        // it gives way to
     std::string_view minds;                   // what it does who minds,
     std::string pastime;                      // and who has a pastime
+    std::string with;                         // whom it walks or talks with, and how
+    std::string_view along;                   // what it does with what goes along with it; empty: nothing
     float to_go = 0;                          // metres, as the crow flies
     std::optional<DestinationKind> to, from;  // where it goes, and where it set out; none: nobody knows
 };

@@ -9,6 +9,7 @@
 
 #include "assets/files/file.h"
 #include "assets/idles.h"
+#include "sim/alongside/alongside.h"
 #include "sim/pastimes/pastimes.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/show.h"
@@ -55,8 +56,12 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     Scene s = scene_with(v.change.scene, d);
     if (!is_as_opened(v.change)) s.about.clear();  // which tells of the one that was opened
     s.drunk = show.loaded.world->drunk;
+    s.groups = show.loaded.world->company.shares;
+    s.acquaintances = show.loaded.world->company.acquaintances;
     if (s.lamps) s.jaywalkers = show.loaded.world->jaywalkers;
+    if (show.loaded.world->alongside) s.along = show.loaded.world->alongside->shares;
     s.pastimes = show.loaded.world->pastimes->shares;
+    s.traffic = show.loaded.world->vehicles.traffic;
     leave_out_nobody(s);
     s.views = show.work_views;
     s.quality = v.quality;

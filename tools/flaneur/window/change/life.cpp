@@ -1,5 +1,6 @@
-#include "tools/flaneur/window/change/pastimes.h"
+#include "tools/flaneur/window/change/life.h"
 
+#include "sim/alongside/alongside.h"
 #include "sim/pastimes/pastimes.h"
 #include "sim/stepping.h"
 #include "tools/flaneur/view/show.h"
@@ -8,6 +9,26 @@
 #include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
+
+void lay_out_lamps(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (!minds_lamps(world.crowd.kerbs)) return;
+    if (float share = world.jaywalkers; slide_share("go on red", share, scale)) {
+        set_jaywalkers(world, share);
+        changed_by_hand(v.time, world);
+    }
+    tip("of those who come to a crossing while its lamp is red; at 100 % nobody minds lamps");
+}
+
+void lay_out_traffic(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (!world.roads) return;
+    if (float traffic = world.vehicles.traffic; slide_share("traffic", traffic, scale)) {
+        set_traffic(world, traffic);
+        changed_by_hand(v.time, world);
+    }
+    tip("how many drive: at 0 % nobody, at 50 % as many as usual, at 100 % as in a rush hour");
+}
 
 void lay_out_pastimes(Show& show, Viewer& v, float scale) {
     World& world = *show.loaded.world;
@@ -34,6 +55,20 @@ void lay_out_pastimes(Show& show, Viewer& v, float scale) {
         }
         tip(slider.tip);
     }
+}
+
+void lay_out_alongside(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (!world.alongside) return;
+    AlongShares shares = world.alongside->shares;
+    bool is_moved = slide_share("walk a dog", shares.dogs, scale);
+    is_moved |= slide_share("in a wheelchair", shares.wheelchairs, scale);
+    is_moved |= slide_share("with a white cane", shares.white_canes, scale);
+    is_moved |= slide_share("under an umbrella", shares.umbrellas, scale);
+    tip("of the grown ones whose hands are free");
+    if (!is_moved) return;
+    change_along(world, shares);
+    changed_by_hand(v.time, world);
 }
 
 }  // namespace flaneur
