@@ -59,8 +59,9 @@ enum Follower : uint8_t {
     carried_bag,
     loose_hair,
     scarf_end,
+    walking_stick,  // in the right hand, or where it has fallen
 };
-inline constexpr int k_follower_count = 5;
+inline constexpr int k_follower_count = 6;
 
 struct CharacterVertex {
     Vec3 position, normal;            // bind pose, model space: metres, +y up, facing +z

@@ -12,6 +12,7 @@
 #include "sim/crowd/demand.h"
 #include "sim/ground/ground.h"
 #include "sim/lamps/crossings.h"
+#include "sim/lanes/lanes.h"
 
 namespace flaneur {
 
@@ -113,6 +114,9 @@ struct City {
     // Where people cross streets; those with signals are ruled by their lamps. Not in its hash.
     Crossings crossings;
 
+    // Where one drives. Not in its hash either.
+    Lanes lanes;
+
     // How much of each sort of thing an import found, and how much of it it built (-1: nobody counted).
     struct Tally {
         std::string what;
@@ -137,7 +141,8 @@ void settle_crossings(City& city);
 // Makes the ground's obstacles of the props.
 void list_obstacles(City& city);
 
-// The hash of the ground, and of everything above but latitude, place on Earth, crossings, tallies and notes.
+// The hash of the ground, and of everything above but latitude, place on Earth, crossings, lanes, tallies and
+// notes.
 uint64_t hash_city(const City& city);
 
 }  // namespace flaneur

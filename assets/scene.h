@@ -11,12 +11,14 @@
 
 #include "assets/additions.h"
 #include "assets/look.h"
+#include "sim/alongside/shares.h"
 #include "sim/ball/planned_throw.h"
 #include "sim/base/result.h"
 #include "sim/crowd/habit.h"
 #include "sim/fall/planned_push.h"
 #include "sim/lamps/kerbs.h"
 #include "sim/limbs/limbs.h"
+#include "sim/pastimes/places.h"
 
 namespace flaneur {
 
@@ -35,6 +37,16 @@ struct PeopleMix {
     bool operator==(const PeopleMix&) const = default;
 };
 inline constexpr float k_grown_up = 14, k_old_age = 65;  // years
+// The shares of PastimeShares, by their keys.
+struct PastimeKey {
+    const char* name;  // in a scene's file
+    float PastimeShares::*share;
+};
+inline constexpr PastimeKey k_pastimes[] = {{"sitting", &PastimeShares::sitting},
+                                            {"leaning", &PastimeShares::leaning},
+                                            {"on_phones", &PastimeShares::phones},
+                                            {"windows", &PastimeShares::windows},
+                                            {"queues", &PastimeShares::queues}};
 struct MixKey {
     const char* name;  // in a scene's file
     float PeopleMix::*times;
@@ -104,6 +116,9 @@ struct Scene {
     float jaywalkers = k_usual_jaywalkers;    // see WorldOptions
     std::array<float, 4> groups{1, 0, 0, 0};  // the same
     float acquaintances = 0;                  // the same
+    AlongShares along;                        // of people; see WorldOptions
+    PastimeShares pastimes;                   // what they do who stay
+    float traffic = 0;                        // of who drives; see WorldOptions
     bool flat = false;                        // of a course: all in one plane, seen from the side
     std::optional<Vec3> look;                 // of a course: where all look who can turn their heads there
     uint64_t seed = 1;

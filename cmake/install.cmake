@@ -53,6 +53,7 @@ if(FLANEUR_PROGRAM)
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flaneur COMPONENT program)
     file(GLOB PAGES CONFIGURE_DEPENDS docs/*.md)
     install(FILES ${PAGES} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flaneur/docs COMPONENT program)
+    install(DIRECTORY docs/life DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flaneur/docs COMPONENT program)
     install(DIRECTORY assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/flaneur COMPONENT program)
     if(FLANEUR_VULKAN)
         install(FILES packaging/flaneur.desktop

@@ -10,7 +10,7 @@
 #endif
 
 FLANEUR_CONST int k_palette_joints =
-    27;                         // joint transforms of one walker: of its body, and of what hangs on it
+    28;                         // joint transforms of one walker: of its body, and of what hangs on it
 FLANEUR_CONST int k_tints = 7;  // none, skin, hair, top, bottom, shoes, accent
 
 // One joint: a point v of the mesh (bind pose, scaled) goes to rotate(rotation, v) + translation in the

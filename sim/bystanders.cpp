@@ -7,6 +7,7 @@
 #include "sim/base/rng.h"
 #include "sim/base/spans.h"
 #include "sim/fall/help.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -29,12 +30,8 @@ int lane_of(uint32_t walker) { return static_cast<int>(walker % k_block); }
 
 float age_of(const World& w, uint32_t walker) { return w.kinds[w.crowd.identity.body[walker]].age; }
 
-// Who goes about by itself, in full view.
-bool is_free(const World& w, uint32_t i) {
-    return !is_down(w.crowd, i) && !is_led(w.crowd, i) && !is_creature(w.herd, i) &&
-           !own_of(w.crowd.passages, i) && w.crowd.driven.walker != i && w.crowd.at_once[i / k_block] == 1 &&
-           w.crowd.way_back[i].polygon == 0 && !own_of(w.falls.all, i);
-}
+// And does nothing else.
+bool is_free(const World& w, uint32_t i) { return is_by_itself(w, i) && !is_staying(*w.pastimes, i); }
 bool can_stop(const World& w, uint32_t i) {
     return is_free(w, i) && w.gait.blocks[i / k_block].jump[i % k_block] == 0;
 }
@@ -279,6 +276,12 @@ bool is_over(const World& w, const Bystander& b) {
 }
 
 }  // namespace
+
+bool is_by_itself(const World& w, uint32_t i) {
+    return !is_down(w.crowd, i) && !is_led(w.crowd, i) && !is_creature(w.herd, i) &&
+           !own_of(w.crowd.passages, i) && w.crowd.driven.walker != i && w.crowd.at_once[i / k_block] == 1 &&
+           w.crowd.way_back[i].polygon == 0 && !own_of(w.falls.all, i);
+}
 
 void make_room_to_mind(World& w, size_t count) {
     w.bystanders.all.reserve(std::min<size_t>(w.crowd.capacity, count * 64));

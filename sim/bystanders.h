@@ -66,6 +66,8 @@ void make_room_to_mind(World& world, size_t count);
 
 // Before the falls' phases change: who minds whom, and what each does.
 void mind_falls(World& world);
+// Whether one goes about by itself, in full view.
+bool is_by_itself(const World& world, uint32_t walker);
 // After the poses of those who fell are set: poses of bystanders, and of the hands that they hold.
 void pose_bystanders(World& world);
 

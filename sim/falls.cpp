@@ -280,12 +280,18 @@ void rise_on(World& w, Fall& f) {
         end.hips.y += w.crowd.motion.position[f.walker].y;
         pose = mixed(f.from, end, t);
     }
-    // Limbs that were set on the ground may have come to a wall; on steps they stay where they stand.
-    keep_off_walls(pose, f.segments, person, lane, w.around);
+    // Limbs that were set on the ground may have come to a wall; on steps they stay where they stand. Who has
+    // been moved aside goes on from there: limbs are bound to where they were, and must not fall behind.
+    auto keep_off = [&] {
+        const Vec3 aside = keep_off_walls(pose, f.segments, person, lane, w.around);
+        f.hips_at += on_ground(aside);
+        f.from.hips += aside;
+    };
+    keep_off();
     const bool is_smooth = settle(
         pose, body_pose_of(w.previous_poses, f.walker), f.segments, person, lane, w.around, f.floor,
         rests_of(f, end, person, lane, t, static_cast<float>(w.tick - f.began) * k_tick), f.raised, k_tick);
-    if (is_smooth) keep_off_walls(pose, f.segments, person, lane, w.around);
+    if (is_smooth) keep_off();
     set_body_pose(w.poses, person, f.walker, pose);
     if (f.share < 1) return;
     f.from = pose;
@@ -309,6 +315,55 @@ void change_phase(World& w, Fall& f) {
         find_stance(w, f);
     }
     if (f.phase != FallPhase::sways) lie_across(w.crowd, lying(w, f));
+}
+
+// Where a hand holds a cane.
+Vec3 palm_at(const World& w, uint32_t walker, const JointPose& hand) {
+    constexpr Vec3 k_palm{-0.006f, -0.049f, 0.014f};  // of the height, from the wrist
+    const float height = w.gait.people[walker / k_block].height[walker % k_block];
+    return hand.position + rotate(hand.rotation, k_palm * height);
+}
+// Unit: from one direction to another.
+Vec3 nlerp_way(Vec3 from, Vec3 to, float t) {
+    const Vec3 a = normalize_or(from, {0, -1, 0}), b = normalize_or(to, {0, -1, 0});
+    return normalize_or(lerp(a, b, t), b);
+}
+
+// The cane of one who falls leaves its hand; who gets up draws it to that hand, and takes it along.
+void step_cane(World& w, const Fall& f) {
+    const Cane* cane = own_of(w.gait.canes, f.walker);
+    if (!cane || f.phase == FallPhase::sways) return;
+    LooseRod* rod = own_of(w.falls.rods, f.walker);
+    const JointPose hand = joint_pose(w.poses, f.walker, right_hand);
+    const Vec3 palm = palm_at(w, f.walker, hand), tip = hand.position + rotate(hand.rotation, cane->tip_hs);
+    if (!rod) {
+        LooseRod loose;
+        loose.walker = f.walker;
+        loose.length = length(tip - palm);
+        loose.grip = palm, loose.tip = tip;
+        loose.turn = hand.rotation;
+        const JointPose was = joint_pose(w.previous_poses, f.walker, right_hand);
+        loose.grip_before = palm_at(w, f.walker, was);
+        loose.tip_before = was.position + rotate(was.rotation, cane->tip_hs);
+        rod = &*w.falls.rods.insert(take_away(w.falls.rods, f.walker), loose);
+    }
+    const bool takes = f.phase == FallPhase::rises && f.stage >= RiseStage::fours;
+    const Vec3 was = rod->tip - rod->grip;
+    if (!takes) {
+        step_rod(*rod, w.around, k_tick);
+        return turn_rod(*rod, was);
+    }
+    constexpr float k_takes = 0.9f;  // seconds, in which the hand finds it
+    rod->held = 1;
+    rod->share = std::min(rod->share + k_tick / k_takes, 1.0f);
+    const float t = smoothstep(0, 1, rod->share);
+    // The nearer it is to being held, the more it goes with the hand.
+    drag_rod(*rod, w.around, lerp(rod->grip, palm, t * t));
+    if (f.stage < RiseStage::stand) return turn_rod(*rod, was);
+    const Vec3 way = nlerp_way(rod->tip - rod->grip, tip - palm, smoothstep(0, 1, f.share));
+    rod->tip = rod->grip + way * rod->length;
+    turn_rod(*rod, was);
+    rod->turn = nlerp(rod->turn, hand.rotation, smoothstep(0, 1, f.share));
 }
 
 bool is_done(const Fall& f) {
@@ -370,6 +425,7 @@ void make_room_to_fall(World& w, size_t count) {
     if (falls.all.capacity() >= count) return;
     count = std::max(count, 2 * falls.all.capacity());
     falls.all.reserve(count);
+    falls.rods.reserve(count);
     w.crowd.downed.reserve(count);
     make_room_to_mind(w, count);
     const size_t blocks = block_count(count);
@@ -406,10 +462,12 @@ void step_falls(World& w) {
     parallel_for(*w.workers, falls.all.size(), 4, [&](size_t begin, size_t end, int) {
         for (size_t i = begin; i < end; ++i) step_fall(w, falls.all[i]);
     });
+    for (const Fall& f : falls.all) step_cane(w, f);
     for (size_t i = 0; i < falls.all.size(); ++i)
         if (is_done(falls.all[i]) && falls.all[i].phase == FallPhase::rises)
             get_up(w.crowd, falls.all[i].walker);
     std::erase_if(falls.all, is_done);
+    std::erase_if(falls.rods, [&](const LooseRod& rod) { return !own_of(falls.all, rod.walker); });
 }
 
 uint64_t hash_falls(const World& w) {
@@ -428,9 +486,13 @@ uint64_t hash_falls(const World& w) {
         for (size_t row = 0; row < sizeof(TumbleBlock) / sizeof(LaneRow); ++row)
             add(rows[row].lanes[f.lane % k_block]);
     }
+    for (const LooseRod& rod : w.falls.rods) add(rod);
     return hash;
 }
 
-void forget_fall(World& w, uint32_t walker) { (void)take_away(w.falls.all, walker); }
+void forget_fall(World& w, uint32_t walker) {
+    (void)take_away(w.falls.all, walker);
+    (void)take_away(w.falls.rods, walker);
+}
 
 }  // namespace flaneur

@@ -9,6 +9,7 @@
 #include "sim/fall/balance.h"
 #include "sim/fall/body_pose.h"
 #include "sim/fall/rising.h"
+#include "sim/fall/rod.h"
 #include "sim/fall/tumble.h"
 
 namespace flaneur {
@@ -57,7 +58,8 @@ struct Fall {
 };
 
 struct Falls {
-    std::vector<Fall> all;  // by walker
+    std::vector<Fall> all;       // by walker
+    std::vector<LooseRod> rods;  // their canes, from when they fall until they stand again; by walker
     // Sixteen who fall, by lane; scratch but for `blocks`.
     std::vector<TumbleBlock> blocks;
     std::vector<TumbleShapes> shapes;

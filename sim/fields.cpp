@@ -6,8 +6,10 @@
 #include <charconv>
 #include <type_traits>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/hash.h"
 #include "sim/crowd/values-inl.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/row_names-inl.h"
 #include "sim/stepping.h"
 
@@ -209,10 +211,13 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("deeds", 'h', hash(w.deeds.doers));
     add("bipeds", 'h', w.stepping ? static_cast<uint32_t>(hash_bipeds(*w.stepping)) : 0);
     add("movers", 'h', hash(w.movers.places));
+    add("vehicles", 'h', hash(w.vehicles.all));
     add("balls", 'h', static_cast<uint32_t>(hash_balls(w.balls)));
     add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
+    add("alongside", 'h', w.alongside ? static_cast<uint32_t>(hash_alongside(*w.alongside)) : 0);
     add("bystanders", 'h', static_cast<uint32_t>(hash_bystanders(w)));
     add("company", 'h', is_on(w.company) ? static_cast<uint32_t>(hash_company(w.company)) : 0);
+    add("pastimes", 'h', static_cast<uint32_t>(hash_pastimes(*w.pastimes)));
     const bool marches = is_on(c.march);
     add("march", 'h', marches ? static_cast<uint32_t>(hash_bytes(1, &c.march.how, sizeof c.march.how)) : 0);
     add("march_pace", 'h', marches ? hash(c.march.pace) : 0);
@@ -229,9 +234,12 @@ uint64_t hash_world(const World& world) {
     hash = mix(hash ^ hash_crowd(world.crowd));
     if (comes_and_goes(world.coming, world.crowd)) hash = mix(hash ^ hash_coming(world.coming));
     if (!world.balls.all.empty()) hash = mix(hash ^ hash_balls(world.balls));
+    if (has_traffic(world.vehicles)) hash = mix(hash ^ hash_vehicles(world.vehicles));
     if (!world.falls.all.empty()) hash = mix(hash ^ hash_falls(world));
     if (is_on(world.company)) hash = mix(hash ^ hash_company(world.company));
     if (!world.bystanders.all.empty()) hash = mix(hash ^ hash_bystanders(world));
+    if (world.alongside) hash = mix(hash ^ hash_alongside(*world.alongside));
+    if (!world.pastimes->all.empty()) hash = mix(hash ^ hash_pastimes(*world.pastimes));
     const std::vector<Vec3>& linkages = world.linkages.places;
     if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);
     const std::vector<Doer>& doers = world.deeds.doers;

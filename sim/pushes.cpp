@@ -52,7 +52,7 @@ Touched touched_by(const World& w, uint32_t walker, Vec2 way) {
         const float squarely = dot(on_ground(off), way) / far;
         if (squarely < k_ahead || touched.count == k_most_touched) continue;
         if (own_of(w.crowd.passages, i) || w.crowd.identity.ahead[i] > 0 || is_down(w.crowd, i) ||
-            is_creature(w.herd, i))
+            is_creature(w.herd, i) || stays_put(w.crowd, i))
             continue;
         touched.who[touched.count] = i;
         touched.squarely[touched.count++] = squarely;
@@ -152,6 +152,7 @@ size_t those_near(const World& w, Vec3 place, float reach, std::span<uint32_t> f
 
 void push_walker(World& w, uint32_t walker, Vec2 change) {
     constexpr int k_in_a_row = 4;
+    if (stays_put(w.crowd, walker)) return;
     push_on(w, walker, change, k_in_a_row);
 }
 

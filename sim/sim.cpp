@@ -134,6 +134,9 @@ Result<void> check(const WorldOptions& o) {
     if (!is_within(o.drunk, 0, 1)) return Error{"WorldOptions::drunk must be within 0 and 1."};
     if (o.drunks > o.walkers) return Error{"WorldOptions::drunks must be at most WorldOptions::walkers."};
     if (!is_within(o.helpers, 0, 1)) return Error{"WorldOptions::helpers must be within 0 and 1."};
+    const AlongShares& along = o.along;
+    for (const float share : {along.dogs, along.wheelchairs, along.white_canes, along.umbrellas})
+        if (!is_within(share, 0, 1)) return Error{"Shares of WorldOptions::along must be within 0 and 1."};
     if (!is_within(o.jaywalkers, 0, 1)) return Error{"WorldOptions::jaywalkers must be within 0 and 1."};
     if (!is_within(o.acquaintances, 0, 1))
         return Error{"WorldOptions::acquaintances must be within 0 and 1."};
@@ -143,6 +146,10 @@ Result<void> check(const WorldOptions& o) {
         grouped += share;
     }
     if (grouped <= 0) return Error{"WorldOptions::groups must not all be 0."};
+    for (const float share :
+         {o.pastimes.sitting, o.pastimes.leaning, o.pastimes.phones, o.pastimes.windows, o.pastimes.queues})
+        if (!is_within(share, 0, 1)) return Error{"WorldOptions::pastimes must be within 0 and 1."};
+    if (!is_within(o.traffic, 0, 1)) return Error{"WorldOptions::traffic must be within 0 and 1."};
     for (const Crossing& c : o.crossings.all) {
         const bool sound = is_finite(c.centre) && std::isfinite(c.half_length) && c.half_length > 0 &&
                            std::isfinite(c.half_width) && c.half_width > 0 &&
@@ -375,7 +382,7 @@ bool let_jump(World& w, WalkerId id) {
 bool push(World& w, WalkerId id, Vec2 impulse) {
     if (!is_alive(w, id) || w.roam || (w.stepping && w.stepping->bipeds.is_flat) ||
         is_creature(w.herd, id.index) || own_of(w.crowd.passages, id.index) ||
-        w.crowd.identity.ahead[id.index] > 0)
+        w.crowd.identity.ahead[id.index] > 0 || stays_put(w.crowd, id.index))
         return false;
     push_walker(w, id.index, impulse / mass_of(w.gait.people[id.index / k_block], id.index % k_block));
     return true;

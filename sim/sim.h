@@ -36,6 +36,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/alongside/shares.h"
 #include "sim/animation/clip.h"
 #include "sim/ball/ball.h"
 #include "sim/base/result.h"
@@ -51,8 +52,10 @@
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
 #include "sim/lamps/kerbs.h"
+#include "sim/lanes/lanes.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
+#include "sim/pastimes/places.h"
 #include "sim/pose/pose.h"
 
 namespace flaneur {
@@ -136,6 +139,15 @@ struct WorldOptions {
     // How likely two who come towards each other and walk alone know each other, 0..1: they greet, stop and
     // talk.
     float acquaintances = 0;
+    // Dogs, wheelchairs, white canes, umbrellas and musicians among those who are set down or come in.
+    AlongShares along{};
+    // What people do who stay, and where: sit, lean, look at windows, line up, use a phone
+    // (docs/life/pastimes.md).
+    PastimeShares pastimes{};
+    PastimePlaces pastime_places{};
+    // Where one drives, and how many do, 0..1: 0 nobody, 0.5 as usual, 1 as in a rush hour.
+    Lanes lanes{};
+    float traffic = 0;
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 
@@ -185,8 +197,8 @@ bool let_jump(World& world, WalkerId id);
 // changes the speed of one of 70 kg by 0.7 m/s). It sways, or steps, or falls, lies for a moment and gets up:
 // nobody falls whose speed changes by less than k_harmless_push, all do by more than k_felling_push, and
 // between by how it stands to the push, how old, tall and sober it is (sim/fall/balance.h). False if it is
-// gone, comes in or leaves just now, pushes a pram, roams a compound or steps on a course that is flat; on
-// one that is not it holds its own where it would fall off.
+// gone, comes in or leaves just now, pushes a pram, sits or leans at a wall, roams a compound or steps on a
+// course that is flat; on one that is not it holds its own where it would fall off.
 bool push(World& world, WalkerId id, Vec2 impulse);
 // Throws a ball, which pushes whom it hits. Not on a compound, where it would fall for ever.
 void throw_ball(World& world, const Ball& ball);

@@ -6,7 +6,9 @@
 #include <string>
 #include <type_traits>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/hash.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/stepping.h"
 
 namespace flaneur {
@@ -17,8 +19,9 @@ constexpr uint64_t k_mark = 0x61'74'73'2e'72'75'6c'66;  // "flur.sta"
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 6 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 6) + 40 +
-                                   sizeof(Onlookers) + 24 + sizeof(Traffic) + sizeof(March) + sizeof(Kerbs));
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 7) + 40 +
+                                   sizeof(Onlookers) + 24 + sizeof(Traffic) + sizeof(March) + sizeof(Kerbs) +
+                                   sizeof(Roadway));
 
 // Before all else; how many of each follow.
 struct Head {
@@ -29,13 +32,14 @@ struct Head {
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
     uint32_t ways = 0, passages = 0, traffic = 0, downed = 0, falls = 0, tumbles = 0, called = 0;
     uint32_t bystanders = 0, balls = 0, groups = 0, vacant_groups = 0;
+    uint32_t beside = 0, rods = 0, along[5] = {}, pastimes = 0;
     uint32_t successors = 0, next_successor = 0, sent = 0, next_sent = 0, numbered = 0, gone = 0,
              came = 0;  // of Coming
     LimbCurves how{};
     uint32_t marches = 0;
     FigureLead lead{};
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 200, "has no gap at the end");
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 232, "has no gap at the end");
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -63,6 +67,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     all(w.deeds.doers, w.deeds.parcels, w.deeds.leaves, w.deeds.gait.blocks, w.deeds.whole, w.deeds.poses);
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets, w.linkages.methods,
         w.linkages.held, w.herd.creatures, w.movers.places);
+    all(w.vehicles.all);
     if (w.stepping) all(w.stepping->bipeds.all, w.stepping->orders);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
@@ -79,9 +84,16 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.crowd.passages, head.passages);
     each(w.crowd.downed, head.downed);
     each(w.crowd.called, head.called);
+    each(w.crowd.beside, head.beside);
     each(w.bystanders.all, head.bystanders);
     each(w.company.groups, head.groups);
+    each(w.pastimes->all, head.pastimes);
     each(w.falls.all, head.falls);
+    each(w.falls.rods, head.rods);
+    if (w.alongside) {
+        size_t k = 0;
+        for_each_list(*w.alongside, [&](auto& list) { each(list, head.along[k++]); });
+    }
     each(w.balls.all, head.balls);
     each(w.falls.blocks, head.tumbles);
     each(w.crowd.march.pace, head.marches);
@@ -126,10 +138,17 @@ Head head_of(const World& w) {
     head.passages = size(c.passages);
     head.downed = size(c.downed);
     head.called = size(c.called);
+    head.beside = size(c.beside);
+    head.rods = size(w.falls.rods);
+    if (w.alongside) {
+        size_t k = 0;
+        for_each_list(*w.alongside, [&](const auto& list) { head.along[k++] = size(list); });
+    }
     head.bystanders = size(w.bystanders.all);
     head.groups = size(w.company.groups);
     head.vacant_groups = w.company.vacant;
     head.falls = size(w.falls.all);
+    head.pastimes = size(w.pastimes->all);
     head.balls = size(w.balls.all);
     head.tumbles = size(w.falls.blocks);
     for (uint32_t i = 0; i < c.count; ++i) head.corners += size(corners_ahead(c, i));
@@ -164,12 +183,14 @@ uint64_t state_mark(const World& w) {
         add(sending.people, sending.begin, sending.end, sending.speed);
     for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
+    if (w.alongside) add(w.alongside->players.size());
     const Ground& ground = *w.ground;
     for (size_t size :
          {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
           ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
           w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(), w.crowd.kerbs.waits.size(),
-          w.company.bearings.size(), w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
+          w.company.bearings.size(), w.pastimes->places.seats.size(), w.vehicles.all.size(),
+          w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
           w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
                        w.roam->compound.capsules.size() + 1
                  : 0})
@@ -262,10 +283,16 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     w.linkages.previous_places = w.linkages.places;
     w.linkages.previous_targets = w.linkages.targets;
     forget_previous(w.movers);
+    for (size_t n = 0; n < w.vehicles.all.size(); ++n)
+        if (is_there(w.vehicles.all[n]))
+            w.vehicles.places[n] = place_of(w.vehicles.map->lanes, w.vehicles.all[n]);
+    if (has_traffic(w.vehicles)) show_vehicles(w.vehicles, c);
+    w.vehicles.previous = w.vehicles.places;
     w.balls.previous_places.clear();
     for (const Ball& ball : w.balls.all) w.balls.previous_places.push_back(ball.place);
     pose_figures_anew(w.figures);
     forget_previous(w.deeds);
+    if (w.alongside) forget_previous(*w.alongside);
     return {};
 }
 

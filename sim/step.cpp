@@ -1,10 +1,12 @@
 #include <algorithm>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
 #include "sim/gait/hands.h"
 #include "sim/gait/pram.h"
 #include "sim/hands/holds.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
 #include "sim/pose/pram.h"
@@ -23,6 +25,16 @@ void timed(World& world, Stage stage, const Work& work) {
     const auto number = static_cast<size_t>(stage);
     FLANEUR_ZONE(k_stage_names[number].data(), world.stage_ms[number]);
     work();
+}
+
+PastimeTick pastime_tick(World& w) {
+    // Who minds somebody who has fallen, is with others or has something along does nothing else.
+    auto is_free = [](const World& world, uint32_t i) {
+        return is_by_itself(world, i) && !own_of(world.bystanders.all, i) &&
+               !group_of(world.company, world.crowd, i) && !companion_of(world, i) &&
+               world.gait.blocks[i / k_block].jump[i % k_block] == 0;
+    };
+    return {*w.pastimes, w.crowd, w.gait, *w.navmesh, w.around, w.poses, w.seed, w.tick, w, is_free};
 }
 
 constexpr uint32_t k_ticks_between_counts = 6;
@@ -123,11 +135,15 @@ void step_pose(World& w) {
         restrain_legs(w.gait, block, block + 1, dt, w.previous_poses, w.poses);
     });
     add_idles(w);
-    for_due_blocks(w, [&](size_t block, float dt) { hold_items(w, block, dt); });
+    for_due_blocks(w, [&](size_t block, float dt) {
+        hold_items(w, block, dt);
+        pose_pastimes(pastime_tick(w), block * k_block, (block + 1) * k_block);
+    });
     if (is_on(w.company)) pose_company(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed, w.poses);
     mind_falls(w);
     step_falls(w);
     pose_bystanders(w);
+    pose_alongside(w);
     if (w.stepping) turn_heads(w.stepping->bipeds, w.poses);
     for_due_blocks(w, [&](size_t block, float dt) {
         advance_trails(w.previous_poses, w.poses, block, block + 1, dt, w.previous_trails, w.trails);
@@ -170,11 +186,13 @@ void drive_crowd(World& w) {
     keep_herd(w);
     timed(w, Stage::come, [&] { come_and_go(w); });
     look_on(w.crowd, *w.workers, w.tick);
+    decide_pastimes(pastime_tick(w));
     timed(w, Stage::think, [&] { think(w.crowd, *w.navmesh, *w.workers, w.tick, w.seed); });
     timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
     timed(w, Stage::move, [&] {
         move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick);
+        step_vehicles(w.vehicles, w.crowd, w.tick, w.seed);
         if (is_on(w.company)) guide(w.company, w.crowd, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
     });
 }
@@ -197,7 +215,9 @@ void step(World& w) {
     give_planned_pushes(w);
     step_movers(w.movers, w.tick);
     if (!w.roam) step_balls(w);
+    think_alongside(w);
     w.drive(w);
+    move_alongside(w);
     if (w.stepping) step_those_who_step(w);
     step_bodies(w);
     count_journeys(w);

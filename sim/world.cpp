@@ -6,11 +6,13 @@
 #include <cstring>
 #include <utility>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
 #include "sim/body/pace.h"
 #include "sim/crowd/places.h"
 #include "sim/gait/hands.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/pram.h"
 #include "sim/stepping.h"
@@ -212,6 +214,12 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     take_prams_from_drunks(*world);
     put_drunks_on_platform(*world);
     mind_lamps(*world, options.crossings);
+    world->pastimes = std::make_shared<Pastimes>();
+    set_places(*world->pastimes, options.pastime_places, *world->navmesh, world->crowd);
+    set_shares(*world->pastimes, options.pastimes, world->crowd);
+    if (has_lanes(options.lanes))
+        world->roads = std::make_shared<const RoadMap>(make_road_map(options.lanes, options.crossings));
+    set_traffic(*world, options.traffic);
     world->coming.sendings = options.sendings;
     world->coming.home = find_neighbourhood(*world->ground, *world->navmesh, options.walkers);
 
@@ -236,6 +244,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     if (Result<void> done = set_off(*world); !done) return done.error();
     if (!world->pushes.empty()) make_room_to_fall(*world, world->crowd.capacity);
     if (!world->balls.planned.empty()) make_room_for_balls(*world);
+    let_go_along(*world, options.along);
     if (progress) progress("setting down the walkers", 1);
     return world;
 }
@@ -308,11 +317,14 @@ void start_body(World& w, uint32_t walker) {
     set_pace(w, walker);
     set_lamp_manner(w, walker);
     pose_newcomer(w, walker);
+    join_along(w, walker);
 }
 
 void end_body(World& w, uint32_t walker) {
     forget_fall(w, walker);
     forget_bystander(w, walker);
+    leave_along(w, walker);
+    (void)take_away(w.pastimes->all, walker);
     end_walker(w.gait, walker, w.kinds[0].body, w.seed);
     pose_newcomer(w, walker);
 }
@@ -357,6 +369,7 @@ void change_ground(World& w, std::shared_ptr<const Ground> ground, NavmeshPtr me
     w.crowd.demand = make_demand(destinations, ground->low, ground->high, *mesh, w.crowd.demand.hour,
                                  w.crowd.demand.leaving);
     w.navmesh = std::move(mesh);
+    find_dogs_anew(w);
     w.ground = std::move(ground);
     if (minds_lamps(w.crowd.kerbs)) mind_lamps(w, Crossings(w.crowd.kerbs.map->crossings));
     if (answers_itself) w.around = surroundings_of(*w.ground);
@@ -380,6 +393,7 @@ void make_room(World& w, uint32_t capacity) {
     w.previous_trails.resize(w.poses.size());
     for (size_t block = before; block < w.poses.size(); ++block) w.previous_poses[block] = w.poses[block];
     make_room_to_come(w);
+    set_shares(*w.pastimes, PastimeShares(w.pastimes->shares), w.crowd);
     if (is_on(w.crowd.march)) go_by_curves(w, LimbLead::curves, w.crowd.march.how);
 }
 
@@ -389,6 +403,10 @@ void set_lamp_manner(World& w, uint32_t walker) {
     kerbs.manners[walker] = lamp_manner(w.kinds[w.crowd.identity.body[walker]].age, drunk_of(w, walker),
                                         personality_of(w, walker).conscientiousness, w.jaywalkers);
     if (is_creature(w.herd, walker)) kerbs.manners[walker].jaywalks = 0;
+}
+
+void set_traffic(World& w, float traffic) {
+    make_vehicles(w.vehicles, w.crowd, traffic > 0 ? w.roads : nullptr, traffic, w.seed);
 }
 
 void set_jaywalkers(World& w, float share) {

@@ -34,6 +34,7 @@
 #include "sim/pose/trail.h"
 #include "sim/roam.h"
 #include "sim/sim.h"
+#include "sim/vehicles/vehicles.h"
 
 namespace flaneur {
 
@@ -43,7 +44,9 @@ inline constexpr int k_stage_count = 7;
 inline constexpr std::string_view k_stage_names[k_stage_count] = {"come", "think", "neighbours", "steer",
                                                                   "move", "gait",  "pose"};
 
-struct Stepping;  // of stepping.h
+struct Stepping;   // of stepping.h
+struct Alongside;  // of alongside/alongside.h
+struct Pastimes;   // of pastimes/pastimes.h
 
 struct World {
     std::shared_ptr<const Ground> ground;
@@ -69,15 +72,19 @@ struct World {
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Herd herd;                   // creatures among people in a city; mostly none
     Linkages linkages;           // that are no people; mostly none
-    std::shared_ptr<Stepping> stepping;  // of those who step by the showcase's rule; else null
-    Movers movers;                       // rigid things that move; mostly none
-    Deeds deeds;                         // people who do things with their hands, the same
-    Troupe figures;                      // that are people, but not of the crowd; mostly none
+    std::shared_ptr<Stepping> stepping;    // of those who step by the showcase's rule; else null
+    std::shared_ptr<Alongside> alongside;  // what goes along with people; null: nothing does
+    Movers movers;                         // rigid things that move; mostly none
+    std::shared_ptr<const RoadMap> roads;  // where one drives; null: nowhere
+    Vehicles vehicles;                     // who drives; mostly nobody
+    Deeds deeds;                           // people who do things with their hands, the same
+    Troupe figures;                        // that are people, but not of the crowd; mostly none
     Gait gait;
     ClipLayer idles;
     Balls balls;                                      // that are thrown
     Falls falls;                                      // who has been pushed
     Bystanders bystanders;                            // and who minds
+    std::shared_ptr<Pastimes> pastimes;               // what they do who stay; never null
     std::vector<PoseBlock> poses, previous_poses;     // after the last tick and the one before
     std::vector<TrailBlock> trails, previous_trails;  // the same
 
@@ -118,6 +125,8 @@ Result<void> change_platform(World& world, const std::vector<Vec2>& corners);
 // From now on people mind the lamps of these crossings; of none, where none is ruled. Allocates; between two
 // ticks.
 void mind_lamps(World& world, const Crossings& crossings);
+// As much traffic from now on, 0..1: everybody who drives is set down anew. Allocates; between two ticks.
+void set_traffic(World& world, float traffic);
 // So many go on red from now on, 0..1; between two ticks.
 void set_jaywalkers(World& world, float share);
 // What one is like who minds them; creatures never go on red.
@@ -148,14 +157,18 @@ void drive_roam(World& world);
 void start_body(World& world, uint32_t walker);
 void end_body(World& world, uint32_t walker);
 
+// How many of them play on squares.
+uint32_t player_count(const World& world);
 // How many people there are, without creatures.
 inline uint32_t people_count(const World& world) {
     return static_cast<uint32_t>(world.crowd.slots.living.size() - world.herd.goes_as.size());
 }
 
-// The same with those who are about to come in, and without those who leave: see kept_people() of Coming.
+// The same with those who are about to come in, and without those who leave (see kept_people() of Coming) and
+// those who play.
 inline uint32_t kept_people(const World& world) {
-    return kept_people(world.coming, world.crowd) - static_cast<uint32_t>(world.herd.goes_as.size());
+    return kept_people(world.coming, world.crowd) - static_cast<uint32_t>(world.herd.goes_as.size()) -
+           player_count(world);
 }
 // The creatures, and what they stand on, by Creature::walker.
 inline const std::vector<Creature>& creatures_of(const World& world) {

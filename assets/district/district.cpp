@@ -107,6 +107,7 @@ City generate_district(const DistrictOptions& options) {
     settle(d.city);
     settle_crossings(d.city);
     list_obstacles(d.city);
+    lay_lanes(d);
     add_horizon(d, options.seed);
     return std::move(d.city);
 }

@@ -88,6 +88,8 @@ void dress_front(District& d, Dice& dice, const House& house, float foot, Vec2 a
 bool fill_row(District& d, Block& block, float depth, int storeys, bool closed);
 
 void lay_streets(District& d, uint64_t seed);
+// Where one drives: after list_obstacles().
+void lay_lanes(District& d);
 void fill_houses(District& d, Block& block);
 void fill_villas(District& d, Block& block);
 void fill_park(District& d, Block& block);

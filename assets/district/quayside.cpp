@@ -141,6 +141,21 @@ void furnish(District& d, Dice& dice) {
     }
 }
 
+// One lane each way, beside those who are parked.
+void lay_lanes(City& city) {
+    constexpr float k_parked = 2.1f, k_middle = (k_road_north + k_road_south) / 2, k_gate = k_east - 1;
+    RoadPlan plan;
+    plan.nodes = {{{-k_gate, k_middle}, true}, {{k_gate, k_middle}, true}};
+    plan.roads = {{.line = {plan.nodes[0].at, plan.nodes[1].at},
+                   .from = 0,
+                   .to = 1,
+                   .width = k_road_south - k_road_north,
+                   .parked_right = k_parked,
+                   .speed = 30 / 3.6f}};
+    city.lanes = make_lanes(plan, city.crossings, {}, city.ground.obstacles);
+    settle_lanes(city.lanes, city.ground);
+}
+
 }  // namespace
 
 City build_quayside(uint64_t seed) {
@@ -180,6 +195,7 @@ City build_quayside(uint64_t seed) {
     constexpr uint8_t k_ruled[] = {1, 0, 0};  // where signals stand
     set_lamps(d.city.crossings, k_ruled, seed);
     list_obstacles(d.city);
+    lay_lanes(d.city);
     add_horizon(d, seed);
     return std::move(d.city);
 }

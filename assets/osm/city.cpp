@@ -141,6 +141,7 @@ void add_osm_outdoors(OsmImport& in) {
     settle_crossings(in.city);
     list_obstacles(in.city);
     add_osm_destinations(in);
+    add_osm_lanes(in);
 }
 
 bool is_too_wide(const std::array<double, 4>& box) {

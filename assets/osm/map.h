@@ -276,6 +276,9 @@ void add_osm_props(OsmImport& in);
 // Doors, shops, benches, stops, squares and where streets leave the map. After the props.
 void add_osm_destinations(OsmImport& in);
 
+// Where one drives; after the destinations.
+void add_osm_lanes(OsmImport& in);
+
 // All that stands and lies outdoors of these, and the ground: after the buildings, if there are any.
 void add_osm_outdoors(OsmImport& in);
 

@@ -295,10 +295,13 @@ void add_stick(Rack& r) {
     Vec3 at = stick_grip(r.figure), down = k_hanging, ahead{0, down.z, -down.y};
     std::vector<Vec3> shaft = {at, at + down * .2f, at + down * (k_stick - .02f), at + down * k_stick};
     r.add_to_hand(make_band(shaft, {1, 0, 0}, .0052f, .0052f, 8), Tint::none, k_wood, -1);
+    const Vec3 held = raised_hand(r.figure, -1).raised(at);
+    r.hang(walking_stick, held);
     std::vector<Vec3> grip = {at + ahead * -.050f + down * .014f, at + ahead * -.036f + down * .002f,
                               at + ahead * -.012f, at + ahead * .012f - down * .001f,
                               at + ahead * .024f + down * .004f};
     r.add_to_hand(make_band(grip, {1, 0, 0}, .0072f, .0068f, 8), Tint::none, k_wood, -1);
+    r.hang(walking_stick, held);
 }
 
 }  // namespace

@@ -146,16 +146,7 @@ void add_wheel(PropMesh& mesh, const PropFrame& f, float x, float z) {
     }
 }
 
-}  // namespace
-
-void add_car(PropMesh& mesh, const Prop& car) {
-    PropFrame f(car);
-    const CarShape& s = k_shapes[random_bits({car.seed, 0, 0, Purpose::style}) % std::size(k_shapes)];
-    add_shell(mesh, f, s);
-    add_cabin(mesh, f, s);
-    for (float z : {-1.28f, 1.32f}) {
-        for (float side : {-1.0f, 1.0f}) add_wheel(mesh, f, side * s.half_width * (z > 0 ? 0.98f : 1), z);
-    }
+void add_lamps(PropMesh& mesh, const PropFrame& f, const CarShape& s) {
     for (float side : {-1.0f, 1.0f}) {
         float z = s.half_length - 0.05f, x = side * 0.56f, y = s.nose - 0.09f;
         if (mesh.is_far) {
@@ -168,12 +159,32 @@ void add_car(PropMesh& mesh, const Prop& car) {
                      PropPart::red);
             continue;
         }
-        add_box(mesh, f.at(x, y, z - 0.02f), {0.16f, 0.055f, 0.05f}, car.yaw, PropPart::light);
-        add_box(mesh, f.at(side * 0.66f, s.boot - 0.2f, -s.half_length + 0.04f), {0.1f, 0.08f, 0.05f},
-                car.yaw, PropPart::red);
+        add_box(mesh, f.at(x, y, z - 0.02f), {0.16f, 0.055f, 0.05f}, f.yaw, PropPart::light);
+        add_box(mesh, f.at(side * 0.66f, s.boot - 0.2f, -s.half_length + 0.04f), {0.1f, 0.08f, 0.05f}, f.yaw,
+                PropPart::red);
         add_box(mesh, f.at(side * (s.half_width + 0.07f), s.belt + 0.04f, s.screen_foot - 0.28f),
-                {0.08f, 0.06f, 0.05f}, car.yaw, PropPart::paint);
+                {0.08f, 0.06f, 0.05f}, f.yaw, PropPart::paint);
     }
+}
+
+}  // namespace
+
+void add_car(PropMesh& mesh, const Prop& car) {
+    PropFrame f(car);
+    const CarShape& s = k_shapes[random_bits({car.seed, 0, 0, Purpose::style}) % std::size(k_shapes)];
+    add_shell(mesh, f, s);
+    add_cabin(mesh, f, s);
+    for (float z : {-1.28f, 1.32f}) {
+        for (float side : {-1.0f, 1.0f}) add_wheel(mesh, f, side * s.half_width * (z > 0 ? 0.98f : 1), z);
+    }
+    add_lamps(mesh, f, s);
+}
+
+void add_car_body(PropMesh& mesh, const PropFrame& f, size_t shape) {
+    const CarShape& s = k_shapes[shape % std::size(k_shapes)];
+    add_shell(mesh, f, s);
+    add_cabin(mesh, f, s);
+    add_lamps(mesh, f, s);
 }
 
 }  // namespace flaneur

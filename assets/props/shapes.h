@@ -38,6 +38,8 @@ struct PropFrame {
 
 void add_tree(PropMesh& mesh, const Prop& tree);
 void add_car(PropMesh& mesh, const Prop& car);
+// Without its wheels: hatchback, saloon or estate.
+void add_car_body(PropMesh& mesh, const PropFrame& frame, size_t shape);
 void add_fountain(PropMesh& mesh, const Prop& fountain);
 void add_statue(PropMesh& mesh, const Prop& statue);
 

@@ -87,6 +87,25 @@ constexpr SceneClash k_clashes[] = {
     {"helpers", R"("helpers": nobody falls on the asteroid or the planets; leave it out)",
      [](const Scene& s, const Json& json) { return json.contains("helpers") && is_round(s); },
      [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"dogs", R"("dogs" go with people in cities and fields; on the asteroid and the planets nobody has any)",
+     [](const Scene& s, const Json& json) { return json.contains("dogs") && is_round(s); },
+     [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"wheelchairs",
+     R"("wheelchairs" go with people in cities and fields; on the asteroid and the planets nobody has any)",
+     [](const Scene& s, const Json& json) { return json.contains("wheelchairs") && is_round(s); },
+     [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"white_canes",
+     R"("white_canes" go with people in cities and fields; on the asteroid and the planets nobody has any)",
+     [](const Scene& s, const Json& json) { return json.contains("white_canes") && is_round(s); },
+     [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"umbrellas",
+     R"("umbrellas" go with people in cities and fields; on the asteroid and the planets nobody has any)",
+     [](const Scene& s, const Json& json) { return json.contains("umbrellas") && is_round(s); },
+     [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"musicians",
+     R"("musicians" go with people in cities and fields; on the asteroid and the planets nobody has any)",
+     [](const Scene& s, const Json& json) { return json.contains("musicians") && is_round(s); },
+     [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
     {"lamps",
      R"("lamps" are traffic lights; of the places that are built in they are in the district and on the quayside)",
      [](const Scene& s, const Json&) {
@@ -102,6 +121,22 @@ constexpr SceneClash k_clashes[] = {
          const OrderedJson built_in = {{"not", {{"const", "district"}}}}, map = {{"not", map_schema()}};
          return both({key, "city"},
                      {{key, {{"const", true}}}, {"city", {{"allOf", OrderedJson::array({built_in, map})}}}});
+     }},
+    {"traffic",
+     R"("traffic" is of those who drive; of the places that are built in they do in the district and on the quayside)",
+     [](const Scene& s, const Json&) {
+         return s.traffic > 0 && s.built != BuiltIn::district && s.built != BuiltIn::quayside;
+     },
+     [](const char* key) {
+         const OrderedJson others = {{"not", {{"enum", {"district", "quayside"}}}}};
+         return both({key, "built"}, {{key, {{"exclusiveMinimum", 0}}}, {"built", others}});
+     }},
+    {"traffic", R"("traffic" is of those who drive, and a glTF city says nothing of where)",
+     [](const Scene& s, const Json&) { return s.traffic > 0 && !s.city.empty() && !is_map(s); },
+     [](const char* key) {
+         const OrderedJson built_in = {{"not", {{"const", "district"}}}}, map = {{"not", map_schema()}};
+         return both({key, "city"}, {{key, {{"exclusiveMinimum", 0}}},
+                                     {"city", {{"allOf", OrderedJson::array({built_in, map})}}}});
      }},
     {"jaywalkers", R"("jaywalkers" are those who go on red, and nobody does but where "lamps" is true)",
      [](const Scene& s, const Json& json) {

@@ -187,6 +187,31 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::acquaintances>("acquaintances", {number, 0, 1}, "0", "0.05",
                                          "How likely two who come towards each other, each alone, know each "
                                          "other: they greet, stop and talk."),
+        along_key<&AlongShares::dogs>(
+            "dogs", "How many of the grown ones whose hands are free walk a dog on a lead."),
+        along_key<&AlongShares::wheelchairs>("wheelchairs", "How many of them go in a wheelchair."),
+        along_key<&AlongShares::white_canes>("white_canes",
+                                             "How many of them feel their way with a white cane."),
+        along_key<&AlongShares::umbrellas>("umbrellas", "How many of them hold an umbrella."),
+        {"musicians",
+         {whole, 0, 16},
+         "0",
+         "3",
+         "How many people more play on squares, with those who stop to listen.",
+         [](Reading&, Scene& s, const Json& v) { s.along.musicians = v.get<uint32_t>(); }},
+        pastime_key<&PastimeShares::sitting>(
+            "sitting", "0.5", "How many of those who stop at benches and may sit down there do."),
+        pastime_key<&PastimeShares::leaning>("leaning", "0.3",
+                                             "How many of those who stop beside a wall lean at it."),
+        pastime_key<&PastimeShares::phones>("on_phones", "0.2",
+                                            "How many people text, call or take pictures at any time."),
+        pastime_key<&PastimeShares::windows>(
+            "windows", "1", "How many of those who like to look into shop windows as they pass do."),
+        pastime_key<&PastimeShares::queues>("queues", "0.1",
+                                            "How many of those who pass a stall line up there."),
+        plain_key<&Scene::traffic>(
+            "traffic", {number, 0, 1}, "0", "0.5",
+            "How many cars, vans, buses and bicycles drive: 0 none, 0.5 as usual, 1 as in a rush hour."),
         {"idles",
          {texts},
          nullptr,

@@ -123,6 +123,22 @@ SceneKey<Scene> mix_key(const char* name, const char* meaning) {
             meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.mix.*Times = v; }};
 }
 
+// or what goes along with so many of them.
+template <float AlongShares::*Share>
+SceneKey<Scene> along_key(const char* name, const char* meaning) {
+    return {name,    {KeyKind::number, 0, 1},
+            "0",     "0.05",
+            meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.along.*Share = v; }};
+}
+
+// how many people do something where they stay.
+template <float PastimeShares::*Share>
+SceneKey<Scene> pastime_key(const char* name, const char* example, const char* meaning) {
+    return {name,    {KeyKind::number, 0, 1},
+            "0",     example,
+            meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.pastimes.*Share = v; }};
+}
+
 // A value that is taken as it stands.
 template <auto Member>
 SceneKey<Scene> plain_key(const char* name, const KeyRule& rule, const char* usual, const char* example,

@@ -75,11 +75,19 @@ Result<std::vector<Vec2>> parse_way(const std::string& text) {
     float whole = 0;
     for (size_t k = 0; k < corners->size(); ++k) {
         const float far = length((*corners)[(k + 1) % corners->size()] - (*corners)[k]);
-        if (!(far >= k_apart)) return Error{excerpt(text) + ": Corners of a way are 0.5 m apart at least"};
+        if (!std::isfinite(far))
+            return Error{excerpt(text) + ": Corners of a way are pairs of numbers, X,Z in metres"};
+        if (far < k_apart) return Error{excerpt(text) + ": Corners of a way are 0.5 m apart at least"};
         whole += far;
     }
     if (!(whole <= k_longest)) return Error{excerpt(text) + ": Ways are of up to 2000 m"};
     return corners;
+}
+
+// With no more digits than tell it from the ticks beside it.
+static std::string seconds_of(uint32_t tick) {
+    constexpr double k_digits = 1000;
+    return plainly(std::round(tick * k_digits / double{k_ticks_a_second}) / k_digits);
 }
 
 Result<PlannedPush> parse_push(const std::string& text) {
@@ -124,6 +132,8 @@ Result<PlannedThrow> parse_throw(const std::string& text) {
                      "and kilograms after that"};
     if (!(speed >= k_slowest_throw && speed <= k_fastest_throw))
         return Error{excerpt(text) + ": Balls are thrown at 1 to 40 m/s"};
+    if (from->x == at->x && from->y == at->y && from->z == at->z)
+        return Error{excerpt(text) + ": A ball is thrown from one place at another"};
     if (!(mass >= k_lightest_ball && mass <= k_heaviest_ball))
         return Error{excerpt(text) + ": Balls have 0.05 to 20 kg"};
     return PlannedThrow{static_cast<uint32_t>(std::lround(seconds * k_ticks_a_second)), *from, *at, speed,
@@ -131,7 +141,7 @@ Result<PlannedThrow> parse_throw(const std::string& text) {
 }
 
 std::string told_throw(const PlannedThrow& how) {
-    std::string text = plainly(static_cast<float>(how.tick) * k_tick);
+    std::string text = seconds_of(how.tick);
     for (const Vec3 place : {how.from, how.at}) text.append(" ").append(told_spot(place));
     text.append(" ").append(plainly(how.speed));
     if (how.mass != k_ball_mass) text.append(" ").append(plainly(how.mass));
@@ -139,9 +149,8 @@ std::string told_throw(const PlannedThrow& how) {
 }
 
 std::string told_push(const PlannedPush& push) {
-    return plainly(static_cast<float>(push.tick) * k_tick) + " " +
-           (push.walker == k_everybody ? "*" : std::to_string(push.walker)) + " " + plainly(push.impulse.x) +
-           "," + plainly(push.impulse.z);
+    return seconds_of(push.tick) + " " + (push.walker == k_everybody ? "*" : std::to_string(push.walker)) +
+           " " + plainly(push.impulse.x) + "," + plainly(push.impulse.z);
 }
 
 std::string told_corners(const std::vector<Vec2>& corners) {

@@ -97,6 +97,15 @@ std::string scene_text(const Scene& s) {
         const char* sizes[] = {"1", "2", "3", "4"};
         for (size_t k = 0; k < s.groups.size(); ++k) json["groups"][sizes[k]] = short_number(s.groups[k]);
     }
+    const AlongShares& along = s.along;
+    tell("dogs", short_number(along.dogs), along.dogs > 0);
+    tell("wheelchairs", short_number(along.wheelchairs), along.wheelchairs > 0);
+    tell("white_canes", short_number(along.white_canes), along.white_canes > 0);
+    tell("umbrellas", short_number(along.umbrellas), along.umbrellas > 0);
+    tell("musicians", along.musicians, along.musicians > 0);
+    for (const PastimeKey& of : k_pastimes)
+        tell(of.name, short_number(s.pastimes.*of.share), s.pastimes.*of.share > 0);
+    tell("traffic", short_number(s.traffic), s.traffic != usual.traffic);
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
     if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);

@@ -29,7 +29,10 @@ enum class Purpose : uint32_t {
     personality,
     fall,
     lamp,
-    company
+    company,
+    along,
+    pastime,
+    vehicle
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

@@ -7,7 +7,7 @@
 // common middle (Kendon, "Conducting Interaction", 1990) and talk by turns.
 //
 // What is decided of a group is written by that group alone, after everybody has moved; the crowd goes by it
-// in the next tick (Fellow). docs/company.md has the measured figures.
+// in the next tick (Fellow). docs/life/company.md has the measured figures.
 #pragma once
 
 #include <array>

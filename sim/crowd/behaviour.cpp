@@ -144,6 +144,7 @@ static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
                                        random_unit(key, t * 3 + 2));
         if (!are_joined(mesh, here.polygon, p.polygon, by_of(c, i))) continue;
         if (minds_lamps(c.kerbs) && surface_of(mesh, p.polygon) == Surface::crossing) continue;
+        if (has_traffic(c.roadway) && is_driven_on(*c.roadway.map, on_ground(p.position))) continue;
         float d = length(on_ground(p.position - c.motion.position[i]));
         if (d <= farthest) continue;
         farthest = d;
@@ -373,7 +374,22 @@ static Onward onward_by_path(const Crowd& c, uint32_t i) {
     return {normalize_or(at - here, {0, 0}), aim};
 }
 
-// Along its path; or it waits for a lamp, and is not held up by it.
+// Whether it is about to step in the way of somebody who drives.
+static bool lets_pass(const Crowd& c, uint32_t i, uint32_t tick) {
+    constexpr float k_at_corner = 0.4f, k_brisk = 1.1f;  // metres; times the usual speed
+    const Journey& j = c.journeys[i];
+    const Vec3* corners = &c.corners[size_t{i} * k_corners];
+    int k = j.corner;
+    Vec2 way = on_ground(corners[k] - c.motion.position[i]);
+    if (length(way) < k_at_corner && k + 1 < j.corner_count)
+        way = on_ground(corners[++k] - c.motion.position[i]);
+    const Walking walking{c.motion.position[i], normalize_or(way, {0, 0}),
+                          c.identity.preferred_speed[i] * k_brisk,
+                          c.identity.ahead[i] > 0 ? c.identity.ahead[i] + k_pram_reach : 0, tick};
+    return must_let_pass(c.roadway, walking);
+}
+
+// Along its path; or it waits for a lamp or for who drives, and is not held up by it.
 static WayWish go_by_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick,
                           uint64_t seed) {
     Journey& j = c.journeys[i];
@@ -392,10 +408,16 @@ static WayWish go_by_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i,
                             .trip = j.trip};
         heed = heed_lamp(c.kerbs, i, goer, tick, seed);
     }
-    if (!heed.waits) return {follow_path(c, mesh, thread, i, tick, seed) * (heed.pace * pace), true};
+    const bool has_path = j.corner < j.corner_count;
+    const bool is_let = has_traffic(c.roadway) && !heed.waits && has_path && lets_pass(c, i, tick);
+    if (has_traffic(c.roadway)) c.scratch.lets_pass[i] = is_let;
+    if (!heed.waits && !is_let)
+        return {follow_path(c, mesh, thread, i, tick, seed) * (heed.pace * pace), true};
     j.closest = 1e9f;
     j.closest_tick = tick;
     j.insists_since = k_never;
+    // Who drives sees by its course that it wants to get over.
+    if (is_let) return {{}, true};
     c.decision.looks[i] = heed.stands && c.identity.ahead[i] == 0;
     return {heed.wanted, false};
 }
@@ -410,6 +432,7 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
     const bool waits = tick < j.pause_until;
     const bool goes_on = is_beside || is_driven || lies || called;  // whatever the errand
     c.decision.looks[i] = waits && !goes_on && j.arrived;
+    if (has_traffic(c.roadway)) c.scratch.lets_pass[i] = 0;
     WayWish wish{{0, 0}, false};
     const Passage* passage = is_beside ? passage_by_door(c, i) : nullptr;
     if (lies)
@@ -429,6 +452,8 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
     if (minds_lamps(c.kerbs) && (goes_on || waits || j.errand == Errand::by_way)) leave_kerb(c.kerbs, i);
     if (called) c.decision.looks[i] = wish.wanted == Vec2{};
     if (!c.downed.empty() && !lies && !passage) wish.wanted = round_who_lies(c, mesh, i, wish.wanted);
+    if (has_traffic(c.roadway) && !lies && !passage)
+        wish.wanted = round_vehicles(c.roadway, c.motion.position[i], wish.wanted, c.identity.radius[i]);
     c.decision.wanted[i] = wish.wanted;
     const Onward on = wish.is_by_path ? onward_by_path(c, i) : onward(c, i, wish.wanted);
     c.decision.course[i] = on.course;

@@ -268,7 +268,7 @@ Vec2 go_where_called(const Crowd& c, const Called& called) {
     constexpr float k_there = 0.1f, k_slows = 1.6f;  // metres; 1/s
     const Vec2 way = called.to - on_ground(c.motion.position[called.walker]);
     const float far = length(way);
-    if (far < k_there) return {};
+    if (far < k_there || called.speed == 0) return {};
     return way * (std::min(called.speed, k_slows * far) / far);
 }
 
@@ -281,7 +281,8 @@ Vec2 round_who_lies(const Crowd& c, const Navmesh& mesh, uint32_t i, Vec2 wanted
     const Called* called = c.called.empty() ? nullptr : own_of(c.called, i);
     const float sees = called ? std::min(k_sees, length(called->to - on_ground(here))) : k_sees;
     const Vec2 way = wanted / speed;
-    const float room = c.identity.radius[i] + (called ? k_beside : k_broad);
+    const float half = c.identity.ahead[i] > 0 ? k_pram_radius : c.identity.radius[i];
+    const float room = half + (called ? k_beside : k_broad);
     // Of the nearest that is in the way: its ends, and how far aside they are.
     float nearest_on = sees;
     Vec2 ends[2];

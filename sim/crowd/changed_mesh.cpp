@@ -128,8 +128,10 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.driven = c.driven;
     mind_lamps(wider.kerbs, c.kerbs.map, capacity);
     keep_all(wider.kerbs, c.kerbs, &Kerbs::waits, &Kerbs::manners);
+    wider.roadway = std::move(c.roadway);
     wider.downed = c.downed;
     wider.called = c.called;
+    wider.beside = c.beside;
     wider.march = std::move(c.march);
     wider.pass_on = c.pass_on;
     wider.onlookers = std::move(c.onlookers);

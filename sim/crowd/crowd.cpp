@@ -26,7 +26,7 @@ Crowd make_crowd(uint32_t capacity) {
     CrowdDecision& d = c.decision;
     resize_to(capacity, d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
-    resize_to(capacity, c.journeys, c.way_back, s.order, s.intents);
+    resize_to(capacity, c.journeys, c.way_back, s.order, s.intents, s.lets_pass);
     c.corners.resize(size_t{capacity} * k_corners);
     c.at_once.assign(block_count(capacity), 1);
     s.woken.assign(block_count(capacity), 0);
@@ -138,6 +138,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     (void)take_away(c.downed, i);
     (void)take_away(c.called, i);
     if (!c.fellows.empty()) c.fellows[i] = {};
+    (void)take_away(c.beside, i);
     if (minds_lamps(c.kerbs)) leave_kerb(c.kerbs, i);
 }
 
@@ -210,6 +211,11 @@ void call_off(Crowd& c, uint32_t i) {
     if (!own_of(c.called, i)) return;
     (void)take_away(c.called, i);
     go_on_from_here(c, i);
+}
+
+bool stays_put(const Crowd& c, uint32_t i) {
+    const Called* called = c.called.empty() ? nullptr : own_of(c.called, i);
+    return called && called->speed == 0;
 }
 
 // Of those who go by a way only who leads goes to a goal.
@@ -287,6 +293,7 @@ uint64_t hash_crowd(const Crowd& c) {
         h = hash_bytes(h, c.march.pace.data(), c.march.pace.size() * sizeof(float));
         h = hash_bytes(h, c.march.turns.data(), c.march.turns.size() * sizeof(SlowTurn));
     }
+    if (!c.beside.empty()) h = hash_bytes(h, c.beside.data(), c.beside.size() * sizeof(GoesBeside));
     const Traffic& traffic = c.traffic;
     if (traffic.is_slow || traffic.done > 0) {
         h = hash_bytes(h, traffic.slow.data(), traffic.slow.size() * sizeof(float));

@@ -26,6 +26,7 @@
 #include "sim/ground/door.h"
 #include "sim/ground/surroundings.h"
 #include "sim/lamps/kerbs.h"
+#include "sim/lanes/roadway.h"
 #include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/navigation/traffic.h"
@@ -93,7 +94,8 @@ struct Downed {
     std::array<LyingPart, k_lying_parts> parts{};
 };
 
-// Who goes straight to a place and stands there, whatever its errand is, until it is called off.
+// Who goes straight to a place and stands there, whatever its errand is, until it is called off. At speed 0
+// it stays where it is, and nobody moves it.
 struct Called {
     uint32_t walker = 0;
     Vec2 to{};        // on the ground plane
@@ -101,7 +103,13 @@ struct Called {
     float speed = 0;  // m/s, at most
 };
 
-// Who they are; constant.
+// What goes beside a walker, such as a dog on a lead: others keep clear of it as of a pram.
+struct GoesBeside {
+    uint32_t walker = 0;
+    Vec2 to{};  // metres from the walker to its middle
+};
+
+// Who they are; constant, but for the speed of who does something on the way (sim/pastimes).
 struct CrowdIdentity {
     std::vector<float> preferred_speed;  // metres a second, 0.3 .. 2
     std::vector<float> radius;           // of the body, metres
@@ -185,7 +193,7 @@ struct CrowdDecision {
 struct Seen {
     Vec3 position;
     Vec2 velocity;  // m/s; of one with a claim what it asks for, else what it has
-    Vec2 ahead;     // metres to the middle of the pram that it pushes; zero: of none
+    Vec2 ahead;     // metres to the middle of the pram that it pushes, or of what is beside it; zero: of none
     Vec2 course, aim;
     float radius = 0;
     uint32_t id = 0;
@@ -224,8 +232,9 @@ struct CrowdScratch {
     bool is_ordered = false;            // nobody came or went since
     std::vector<Intent> intents;        // by walker
     std::vector<uint8_t> woken;         // by block: 1: it was afar until this tick
-    float strays = 0;                   // metres from where one was filed, at most
-    std::vector<uint32_t> requests;     // walkers whose path is sought
+    std::vector<uint8_t> lets_pass;  // by walker: 1: it waits before a carriageway until who comes has passed
+    float strays = 0;                // metres from where one was filed, at most
+    std::vector<uint32_t> requests;  // walkers whose path is sought
 };
 
 // Which slots are taken by whom.
@@ -279,6 +288,7 @@ struct Crowd {
     std::vector<Downed> downed;       // by walker
     std::vector<Called> called;       // by walker
     Fellows fellows;                  // by walker; empty: nobody goes with others
+    std::vector<GoesBeside> beside;   // by walker
     Driven driven;
     March march;
     PassOn pass_on = PassOn::right;
@@ -289,6 +299,7 @@ struct Crowd {
     Demand demand;           // what draws them
     Traffic traffic;         // where they crowd
     Kerbs kerbs;             // who waits for lamps
+    Roadway roadway;         // who drives
     CrowdScratch scratch;
 };
 
@@ -382,6 +393,8 @@ bool is_led(const Crowd& crowd, uint32_t walker);
 // called who is driven, down, or comes in or leaves just now.
 void call(Crowd& crowd, const Called& how);
 void call_off(Crowd& crowd, uint32_t walker);
+// Whether it is called to stay where it is, so that nobody moves it.
+bool stays_put(const Crowd& crowd, uint32_t walker);
 // The velocity, m/s, of one who would go with `wanted` and finds somebody lying in its way, a few metres
 // ahead: round the nearer end of who lies there, where the mesh lets it.
 Vec2 round_who_lies(const Crowd& crowd, const Navmesh& mesh, uint32_t walker, Vec2 wanted);

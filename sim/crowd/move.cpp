@@ -10,6 +10,7 @@
 #include "sim/crowd/half_planes.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/crowd/places.h"
+#include "sim/lanes/near.h"
 
 namespace flaneur {
 
@@ -68,16 +69,38 @@ static void add_brake(Contacts& out, Vec2 direction, float nearing, Vec2 wish, V
         out.brakes[out.brake_count++] = {direction, -nearing};
 }
 
+// Who lies does not make room: nobody steps on any part of it, nor pushes a pram over one, and whom it has
+// fallen on gets off. `place` and `radius` are of who comes, or its pram; `from` is where the other's hips
+// are.
+static void add_lying(const Downed& down, Vec2 from, Vec2 place, float radius, Vec2 wish, Vec2 velocity,
+                      float dt, Contacts& out) {
+    for (const LyingPart& part : down.parts) {
+        if (part.radius <= 0) continue;
+        const Vec2 away = place - from - part.from;
+        const float touching = radius + part.radius, d = length(away);
+        if (d > touching + mindful_reach(dt)) continue;
+        const Vec2 direction = d > 1e-5f ? away / d : Vec2{1, 0};
+        add_brake(out, direction, fastest_within(std::max(d - touching, 0.0f), dt), wish, velocity);
+        if (d > touching + k_nearing * dt) continue;
+        add_plane(out, {direction, -std::max(d - touching, 0.0f) / dt}, fastest_of(wish, velocity));
+        if (d < touching) out.push += direction * (0.5f * (touching - d) / dt);
+    }
+}
+
 // A pram is not pushed into anybody; who comes into its way himself is only steered clear of.
 static void add_contacts_of_pram(const Crowd& c, uint32_t at, Vec2 wish, float dt, Contacts& out) {
     const Seen& me = c.scratch.seen.all[at];
     const Vec2 velocity = c.motion.velocity[me.id];
     const Vec3 middle = me.position + at_height(me.ahead, 0);
     uint32_t near[k_within];
-    const int count =
-        find_within(c.scratch, middle, at, k_pram_radius + c.widest + mindful_reach(dt), near, k_within);
+    const bool any_down = !c.downed.empty();
+    const float reach = k_pram_radius + c.widest + mindful_reach(dt) + (any_down ? k_lying_reach : 0);
+    const int count = find_within(c.scratch, middle, at, reach, near, k_within);
     for (int k = 0; k < count; ++k) {
         const Seen& other = c.scratch.seen.all[near[k]];
+        if (const Downed* down = any_down ? own_of(c.downed, other.id) : nullptr)
+            add_lying(*down, on_ground(other.position), on_ground(middle), k_pram_radius, wish, velocity, dt,
+                      out);
         Vec2 away = on_ground(middle - other.position);
         float touching = k_pram_radius + other.radius, d = length(away);
         if (d > touching + mindful_reach(dt) || d < 1e-5f) continue;
@@ -94,20 +117,24 @@ static void add_contacts_of_pram(const Crowd& c, uint32_t at, Vec2 wish, float d
     }
 }
 
-// Who lies does not make room: nobody steps on any part of it, and whom it has fallen on gets off.
-static void add_lying(const Downed& down, const Seen& me, const Seen& other, float off, Vec2 wish,
-                      Vec2 velocity, float dt, Contacts& out) {
-    for (const LyingPart& part : down.parts) {
-        if (part.radius <= 0) continue;
-        const Vec2 away = on_ground(me.position - other.position) - part.from;
-        const float touching = me.radius + part.radius + off, d = length(away);
-        if (d > touching + mindful_reach(dt)) continue;
-        const Vec2 direction = d > 1e-5f ? away / d : Vec2{1, 0};
-        add_brake(out, direction, fastest_within(std::max(d - touching, 0.0f), dt), wish, velocity);
-        if (d > touching + k_nearing * dt) continue;
-        add_plane(out, {direction, -std::max(d - touching, 0.0f) / dt}, fastest_of(wish, velocity));
-        if (d < touching) out.push += direction * (0.5f * (touching - d) / dt);
-    }
+// Nobody walks into a vehicle, and whom one has come to gets off it.
+static void add_vehicles(const Roadway& r, const Seen& me, Vec2 wish, Vec2 velocity, float dt,
+                         Contacts& out) {
+    constexpr float k_apart = 0.03f;  // metres
+    const Vec2 p = on_ground(me.position);
+    if (!is_near_vehicles(r, p)) return;
+    for_boxes_near(r, p, me.radius + mindful_reach(dt), [&](uint32_t k) {
+        const VehicleBox& box = r.boxes[k];
+        if (std::fabs(box.y - me.position.y) > k_other_level) return;
+        const OffBox off = off_box(box, p);
+        const float far = off.far - me.radius, room = std::max(far - k_apart, 0.0f);
+        if (far > mindful_reach(dt)) return;
+        const float leaves = std::max(-dot(box.ahead, off.out) * box.speed, 0.0f);
+        add_brake(out, off.out, fastest_within(room, dt) + leaves, wish, velocity);
+        if (far > k_nearing * dt) return;
+        add_plane(out, {off.out, -room / dt}, fastest_of(wish, velocity));
+        if (far < 0) out.push += off.out * std::min(-far / dt, k_push);
+    });
 }
 
 // Each of two who are near takes half of the gap between them at most, along the line between them: so no
@@ -124,7 +151,8 @@ static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
     for (int k = 0; k < count; ++k) {
         const Seen& other = c.scratch.seen.all[near[k]];
         if (const Downed* down = any_down ? own_of(c.downed, other.id) : nullptr)
-            add_lying(*down, me, other, off, wish, velocity, dt, out);
+            add_lying(*down, on_ground(other.position), on_ground(me.position), me.radius + off, wish,
+                      velocity, dt, out);
         Vec2 away = on_ground(me.position - other.position);
         float touching = me.radius + other.radius, d2 = length_squared(away);
         if (d2 > (touching + mindful_reach(dt)) * (touching + mindful_reach(dt))) continue;
@@ -141,7 +169,8 @@ static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
         float overlap = touching - k_overlap - d;
         if (overlap > 0) out.push += direction * (0.5f * overlap / dt);
     }
-    if (length_squared(me.ahead) > 0) add_contacts_of_pram(c, at, wish, dt, out);
+    if (has_traffic(c.roadway)) add_vehicles(c.roadway, me, wish, velocity, dt, out);
+    if (c.identity.ahead[me.id] > 0) add_contacts_of_pram(c, at, wish, dt, out);
     float l = length(out.push);
     if (l > k_push) out.push = out.push * (k_push / l);
     return out;
@@ -221,8 +250,9 @@ static void shift_led(Crowd& c, uint32_t at, float dt) {
 static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, float dt) {
     uint32_t i = c.scratch.seen.all[at].id;
     CrowdMotion& m = c.motion;
-    if (is_down(c, i)) {
+    if (is_down(c, i) || stays_put(c, i)) {
         m.velocity[i] = m.wish[i] = {};
+        if (stays_put(c, i)) m.turn_rate[i] = 0;
         return;
     }
     if (is_led(c, i)) return shift_led(c, at, dt);

@@ -56,7 +56,10 @@ static void look_at(Crowd& c, size_t at) {
         const Vec2 asked = d.claim[i].heirs > 0 ? d.chosen[i] : d.wanted[i];
         velocity = asked * std::min(1.0f, k_insistence / std::max(length(asked), 1e-4f));
     }
-    if (c.identity.ahead[i] > 0) ahead = heading_direction(c.motion.heading[i]) * c.identity.ahead[i];
+    if (c.identity.ahead[i] > 0)
+        ahead = heading_direction(c.motion.heading[i]) * c.identity.ahead[i];
+    else if (const GoesBeside* own = c.beside.empty() ? nullptr : own_of(c.beside, i))
+        ahead = own->to;
     rows.x[at] = p.x, rows.y[at] = p.y, rows.z[at] = p.z;
     rows.all[at] = {p, velocity, ahead, d.course[i], d.aim[i], c.identity.radius[i], i, d.claim[i]};
 }

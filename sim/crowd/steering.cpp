@@ -7,6 +7,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/deciders.h"
 #include "sim/crowd/places.h"
+#include "sim/lanes/near.h"
 
 namespace flaneur {
 
@@ -34,7 +35,8 @@ static constexpr float k_pram_headway = 0.35f;  // seconds: who meets a pram get
 static constexpr float k_follows = 0.6f;        // seconds within which one shall not touch one ahead
 static constexpr float k_off_who_talk = 0.12f;  // metres, and from who stands with others
 static constexpr float k_fellows_horizon = 0.5f, k_fellows_headway = 0.3f;  // seconds, of those together
-static constexpr int k_firm = 2 * k_borders;
+static constexpr int k_vehicles = 3;                                        // that one keeps off at one time
+static constexpr int k_firm = 2 * k_borders + k_vehicles;
 static_assert(k_firm + k_neighbours <= k_most_planes);
 
 // Whether two with these courses go the same way.
@@ -181,6 +183,24 @@ static int keep_in(const Navmesh& mesh, const Seen& me, bool lifts, Vec2 velocit
     }
     if (is_pinched) count = 0;
     return me.ahead == Vec2{} || lifts ? count : keep_pram_in(mesh, me, planes, count);
+}
+
+// Bodies of vehicles, as walls that may go away.
+static int keep_off_vehicles(const Roadway& roadway, const Seen& me, HalfPlane* planes, int count) {
+    constexpr float k_apart = 0.08f;  // metres
+    const int most = std::min(count + k_vehicles, k_firm);
+    const Vec2 p = on_ground(me.position);
+    if (!is_near_vehicles(roadway, p)) return count;
+    for_boxes_near(roadway, p, k_border_reach + me.radius, [&](uint32_t k) {
+        const VehicleBox& box = roadway.boxes[k];
+        if (count == most || std::fabs(box.y - me.position.y) > k_other_level) return;
+        const OffBox off = off_box(box, p);
+        const float room = off.far - me.radius - k_apart;
+        if (room > k_border_reach) return;
+        const float leaves = std::min(dot(box.ahead, off.out) * box.speed, 0.0f);
+        planes[count++] = {off.out, leaves - border_speed(std::max(room, 0.0f))};
+    });
+    return count;
 }
 
 // Prams that are near, one's own or the other's. No claim is so good that one minds none: they cannot step
@@ -333,9 +353,13 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
         d.makes_room.lanes[lane] = side_to_make_room(c.scratch, d, lane, side);
         // Who walks back onto the mesh crosses its border.
-        firm_count[lane] = intent.by_door     ? keep_in_line(intent.wanted, firm[lane])
-                           : intent.is_beside ? 0
-                                              : keep_in(mesh, me, intent.lifts, velocity, firm[lane]);
+        firm_count[lane] =
+            intent.by_door ? keep_in_line(intent.wanted, firm[lane])
+            : intent.is_beside
+                ? 0
+                : keep_in(mesh, me, intent.lifts || c.identity.ahead[me.id] == 0, velocity, firm[lane]);
+        if (has_traffic(c.roadway) && !intent.by_door)
+            firm_count[lane] = keep_off_vehicles(c.roadway, me, firm[lane], firm_count[lane]);
         is_thronged[lane] = add_neighbours(c, me, intent, claim, lane, d);
     }
     set_firm(firm, firm_count, d);

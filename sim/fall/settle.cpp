@@ -364,10 +364,11 @@ std::array<float, 2> palms_above(const BodyPose& pose, const Segments& segments,
             std::max(low(k_palm_of[k_right]) - lowest, 0.0f)};
 }
 
-void keep_off_walls(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
+Vec3 keep_off_walls(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
                     const Surroundings& around) {
-    constexpr float k_near = 1.4f;
-    if (!closest_wall(around, pose.hips, k_near)) return;
+    constexpr float k_near = 1.4f, k_most = 0.03f;  // metres
+    const Vec3 was = pose.hips;
+    if (!closest_wall(around, pose.hips, k_near)) return {};
     for (int pass = 0; pass < 2; ++pass) {  // a corner has two
         const auto balls = balls_of(pose, segments, person, lane);
         float deepest = 0;
@@ -381,6 +382,10 @@ void keep_off_walls(BodyPose& pose, const Segments& segments, const PersonBlock&
         }
         pose.hips += out * deepest;
     }
+    const Vec3 aside = pose.hips - was;
+    const float far = length(aside);
+    if (far > k_most) pose.hips = was + aside * (k_most / far);
+    return pose.hips - was;
 }
 
 Vec2 slope_at(const Surroundings& around, Vec3 place, float reach) {

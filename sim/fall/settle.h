@@ -42,8 +42,8 @@ float air_below(const BodyPose& pose, const Segments& segments, const PersonBloc
 std::array<float, 2> palms_above(const BodyPose& pose, const Segments& segments, const PersonBlock& person,
                                  int lane);
 
-// Moves a pose aside until none of its balls is in a wall.
-void keep_off_walls(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
+// Moves a pose aside until none of its balls is in a wall, but 3 cm at most; returns by how much.
+Vec3 keep_off_walls(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
                     const Surroundings& around);
 
 // How the ground rises about a place of it, metres a metre along x and z: a plane through what lies within

@@ -28,31 +28,38 @@ sim/stepper: sim/base, sim/gait, sim/gait/curves, sim/movers, sim/pose
 sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/lamps: sim/base, sim/navigation
+sim/lanes: sim/base, sim/ground, sim/lamps
 sim/fellows: sim/base
-sim/crowd: sim/base, sim/body, sim/fellows, sim/ground, sim/lamps, sim/limbs, sim/navigation, sim/ways
+sim/crowd: sim/base, sim/body, sim/fellows, sim/ground, sim/lamps, sim/lanes, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
+sim/vehicles: sim/base, sim/crowd, sim/lanes
 sim/alone: sim/crowd, sim/gait, sim/ground
 sim/figures: sim/alone, sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/deeds: sim/alone, sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
+sim/pastimes: sim/base, sim/crowd, sim/deeds, sim/fall, sim/ground, sim/pose
 sim/company: sim/base, sim/coming, sim/crowd, sim/deeds, sim/fall, sim/gait, sim/hands, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
+sim/alongside: sim/base, sim/fall, sim/ground, sim/movers, sim/pose
+sim: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/lanes, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pastimes, sim/pose, sim/stepper, sim/surface, sim/vehicles
+sim/alongside sources: sim, sim/alongside, sim/base, sim/fall
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
-assets: sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/lamps, sim/limbs
+assets: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/lamps, sim/lanes, sim/limbs, sim/pastimes
 assets/plan: assets, sim/base, sim/lamps
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
+assets/pastimes: assets, sim/base, sim/pastimes
 assets/props: assets, sim/base
 assets/people/shapes: sim/base
+assets/alongside: assets, assets/people/shapes, sim/alongside, sim/base
 assets/people: assets, assets/people/shapes, sim/base, sim/body
 assets/levels: assets, assets/people, sim/base
-assets/district: assets, assets/plan, sim/base
+assets/district: assets, assets/plan, sim/base, sim/lanes
 assets/stages: assets, sim, sim/base, sim/deeds, sim/figures, sim/linkages, sim/movers, sim/surface, sim/ways
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
 assets/osm/read: assets, assets/files, assets/osm
-assets/osm/street: assets, assets/osm, assets/plan
+assets/osm/street: assets, assets/osm, assets/plan, sim/lanes
 assets/demand: assets, assets/files, assets/osm, sim/base, sim/coming
 assets/cache: assets, assets/files, sim/base, sim/navigation
 assets/gltf: assets, assets/files, sim/base
@@ -87,7 +94,7 @@ tools/rendercheck/process: sim/base
 tools/rendercheck/picture: sim/base, tools/rendercheck/files
 tools/rendercheck/verdict: tools/rendercheck/picture
 
-tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/deeds, sim/figures, sim/movers, sim/pose
+tools/extract: assets, assets/alongside, assets/props, renderer, sim, sim/alongside, sim/base, sim/coming, sim/crowd, sim/deeds, sim/figures, sim/movers, sim/pastimes, sim/pose
 
 tools/flaneur/console: sim/base
 tools/flaneur/plot:
@@ -101,7 +108,7 @@ tools/rendercheck: assets/files, tools/flaneur/options, tools/rendercheck/files,
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/tracks: assets/files, assets/trajectories, sim, sim/base, tools/flaneur/output
 tools/flaneur/validate: assets/trajectories, sim, sim/base, sim/ground, sim/navigation, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/plot
-tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/gltf/city, assets/stages, sim, sim/base, tools/flaneur/console, tools/flaneur/options
+tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/gltf/city, assets/pastimes, assets/stages, sim, sim/alongside, sim/base, sim/pastimes, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/check: assets/files, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
@@ -124,9 +131,9 @@ tools/flaneur/window/time: assets, sim, tools/extract, tools/flaneur/history, to
 tools/flaneur/window/kept: assets, tools/flaneur/window/cameras, tools/flaneur/window/time
 tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/exhibits, tools/flaneur/window/frame, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/steppers, tools/flaneur/window/time
 tools/flaneur/window/panels: tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change
-tools/flaneur/window/ask sources: assets/files, sim, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/measure
+tools/flaneur/window/ask sources: assets/files, sim, sim/alongside, sim/base, sim/gait, sim/pastimes, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
-tools/flaneur/window/change sources: assets, assets/files, assets/stages, sim, sim/base, sim/ways, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/steppers, tools/flaneur/window/time
+tools/flaneur/window/change sources: assets, assets/files, assets/pastimes, assets/stages, sim, sim/alongside, sim/base, sim/pastimes, sim/ways, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/steppers, tools/flaneur/window/time
 tools/flaneur/window/steppers sources: sim, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/open, tools/flaneur/window/steppers
 tools/flaneur/window/exhibits sources: renderer, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/exhibits
 tools/flaneur/window/frame sources: renderer, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/frame

@@ -90,6 +90,22 @@ PersonMesh extract_ball();
 void add_balls(const Balls& balls, uint32_t mesh, PeopleFrame& people, float between = 1,
                uint32_t first_id = 0);
 
+// The same of the phones that people have in their hands, whose one mesh comes after the ball.
+PersonMesh extract_phone();
+void add_phones(const World& world, uint32_t mesh, PeopleFrame& people, float between = 1);
+
+// The same of what goes along with a world's people: dogs, wheelchairs, instruments and the like; they come
+// after vehicles. None where nobody has company.
+std::vector<PersonMesh> extract_alongside(const World& world);
+void add_alongside(const World& world, uint32_t first_mesh, PeopleFrame& people, float between = 1);
+// How many meshes of vehicles come after the phone: none where nobody could drive.
+uint32_t vehicle_mesh_count(const World& world);
+// What is uploaded for a world's vehicles, and they themselves as they are between ticks, with those who ride
+// bicycles.
+std::vector<PersonMesh> extract_vehicles();
+void add_vehicles(const World& world, const std::vector<Character>& characters, uint32_t first_mesh,
+                  PeopleFrame& people, float between = 1);
+
 struct Troupe;  // of sim/figures/figures.h
 // Adds a world's figures to what extract_people() found, before its linkages: figure i as characters[its
 // kind].
@@ -104,8 +120,10 @@ void add_doers(const Deeds& deeds, const std::vector<Character>& characters, Peo
 // character at `scale` times its size with these k_joint_count poses, by Joint and as pose_of() of sim.h
 // gives them. What hangs on people swings if it is told how they have moved of late (sim/pose/trail.h); else
 // it hangs as if they kept still. A pram that is pushed stands where that says, or on level ground ahead.
+// A walking stick that has fallen has its grip where `stick` says.
 void pose_character(const Character& character, float scale, const JointPose* joints, JointTransform* palette,
-                    const Trail* trail = nullptr, const PramPlace* pram = nullptr);
+                    const Trail* trail = nullptr, const PramPlace* pram = nullptr,
+                    const JointPose* stick = nullptr);
 
 // For the same: the ground below one with these k_joint_count poses, and below the pram.
 GroundBelow find_ground_below(const Surroundings& around, const JointPose* joints,

@@ -143,12 +143,13 @@ bool is_loose(Hair hair) {
 }  // namespace
 
 bool has_followers(const Character& c) {
-    return c.person.pram || c.robe_hem > 0 || c.person.bag != Bag::none || is_loose(c.person.hair) ||
-           c.person.scarf;
+    return c.person.pram || c.person.stick || c.robe_hem > 0 || c.person.bag != Bag::none ||
+           is_loose(c.person.hair) || c.person.scarf;
 }
 
 std::array<JointPose, k_follower_count> followers(const Character& c, float scale, const JointPose* joints,
-                                                  const Trail* trail, const PramPlace* pram) {
+                                                  const Trail* trail, const PramPlace* pram,
+                                                  const JointPose* stick) {
     const Pelvis pelvis{joints[hips].rotation, conjugate(joints[hips].rotation), trail};
     Quat turns[k_follower_count];
     Vec3 shifts[k_follower_count];
@@ -176,6 +177,8 @@ std::array<JointPose, k_follower_count> followers(const Character& c, float scal
                       hanging(0, clamp(-skull.moving.x * 0.7f - trunk.turning * 0.10f, -0.3f, 0.3f),
                               clamp(-skull.moving.y * 0.30f, 0, 0.4f));
 
+    turn(walking_stick) = joints[right_hand].rotation;
+
     std::array<JointPose, k_follower_count> out;
     for (size_t f = 0; f < out.size(); ++f) {
         const Hung& hung = c.followers[f];
@@ -185,6 +188,7 @@ std::array<JointPose, k_follower_count> followers(const Character& c, float scal
             joint.position + rotate(joint.rotation, arm * scale) + rotate(pelvis.rotation, shifts[f] * scale),
             turns[f]};
     }
+    if (stick) out[walking_stick - k_joint_count] = *stick;
     if (c.person.pram) push(c, scale, joints[hips], pram, out);
     return out;
 }

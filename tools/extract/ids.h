@@ -10,7 +10,8 @@ namespace flaneur {
 // City::buildings for houses and for what has no facade, which is a wall; of City::props for trees, cars and
 // other props; WalkerId::index, of a walker with all that it carries and pushes; 0 for scenery; of
 // Roam::creatures; of Troupe::plans, and after them of Linkages::all, and after them of Deeds::plans, for
-// exhibits; of Movers::all, and after them of Balls::all.
+// exhibits; of Movers::all, after them of Balls::all, and after them of
+// Vehicles::all.
 enum class IdKind : uint8_t {
     none,
     ground,

@@ -5,6 +5,7 @@
 
 #include "assets/outfit.h"
 #include "sim/base/levels.h"
+#include "sim/base/spans.h"
 #include "sim/coming/passages.h"
 #include "sim/without.h"
 #include "sim/world.h"
@@ -67,6 +68,13 @@ PeopleFrame::Outfit dress(const World& world, const Character& character, Walker
     return out;
 }
 
+// Where the stick of one who has fallen is, between two ticks.
+std::optional<JointPose> fallen_stick(const World& world, size_t walker, float between) {
+    const LooseRod* rod = own_of(world.falls.rods, walker);
+    if (!rod) return std::nullopt;
+    return JointPose{lerp(rod->grip_before, rod->grip, between), rod->turn};
+}
+
 // About the hips, with what is pushed.
 float body_sphere(const Character& character) {
     const float front = character.body.pram.z + k_pram_behind + k_pram_base + k_pram_front;
@@ -93,7 +101,7 @@ PersonMesh extract_character(const Character& character) {
 }
 
 void pose_character(const Character& character, float scale, const JointPose* joints, JointTransform* palette,
-                    const Trail* trail, const PramPlace* pram) {
+                    const Trail* trail, const PramPlace* pram, const JointPose* stick) {
     static_assert(k_palette_joints == k_joint_count + k_follower_count);
     auto write = [&](size_t to, const JointPose& pose, size_t bound, Vec3 place) {
         const Quat turn = pose.rotation * character.bind_to_canonical[bound];
@@ -105,7 +113,7 @@ void pose_character(const Character& character, float scale, const JointPose* jo
         std::fill_n(palette + k_joint_count, k_follower_count, palette[hips]);
         return;
     }
-    const auto hanging = followers(character, scale, joints, trail, pram);
+    const auto hanging = followers(character, scale, joints, trail, pram, stick);
     for (size_t f = 0; f < hanging.size(); ++f) {
         const Hung& hung = character.followers[f];
         write(k_joint_count + f, hanging[f], hung.joint, hung.place);
@@ -193,6 +201,7 @@ void extract_people(const World& world, const std::vector<Character>& characters
             for (int j = 0; j < k_joint_count; ++j) joints[j] = joint_of(i, j);
             const Trail trail = trail_between(world, i, between);
             const std::optional<PramPlace> pram = pram_between(world, i, between);
+            const std::optional<JointPose> stick = fallen_stick(world, i, between);
             GroundBelow& ground_below = frame.grounds[p] =
                 find_ground_below(world.around, joints, pram && !world.roam ? &*pram : nullptr);
             // Over the edges of treads a wide spot would hang in the air.
@@ -206,7 +215,7 @@ void extract_people(const World& world, const std::vector<Character>& characters
             // Trails do not know how a surface moves under its stage.
             pose_character(characters[crowd.identity.body[i]], crowd.identity.scale[i], joints,
                            &frame.palette[p * k_palette_joints], world.roam ? nullptr : &trail,
-                           pram && !world.roam ? &*pram : nullptr);
+                           pram && !world.roam ? &*pram : nullptr, stick ? &*stick : nullptr);
         }
     });
 }

@@ -199,6 +199,8 @@ Result<Json> inspect(const Options& options) {
     if (has_skin(path)) return character.error();
     // A glTF scene with nobody in it may be a city.
     Result<City> city = load_city(path, how);
+    if (!city && has_ending(path, ".json"))
+        return Error{character.error().message + "; if it is a scene, flaneur scenes --check looks into it"};
     if (!city) return character.error();
     return facts_of(*city, "thing without a skeleton");
 }

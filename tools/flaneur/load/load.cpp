@@ -16,6 +16,7 @@
 #include "assets/gltf/character/clip.h"
 #include "assets/gltf/city/triangles.h"
 #include "assets/idles.h"
+#include "assets/pastimes/places.h"
 #include "assets/population.h"
 #include "assets/quayside.h"
 #include "assets/stages/asteroid.h"
@@ -26,7 +27,9 @@
 #include "assets/stages/planets.h"
 #include "assets/stages/platform.h"
 #include "assets/stages/yard.h"
+#include "sim/alongside/alongside.h"
 #include "sim/base/zone.h"
+#include "sim/pastimes/pastimes.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/load/sent.h"
@@ -378,7 +381,12 @@ Result<Loaded> load(const Options& options) {
     world.jaywalkers = scene.jaywalkers;
     world.groups = scene.groups;
     world.acquaintances = scene.acquaintances;
+    world.along = scene.along;
+    world.lanes = loaded.city->lanes;
+    world.traffic = scene.traffic;
     world.limbs = scene.limbs;
+    world.pastimes = scene.pastimes;
+    world.pastime_places = pastime_places(*loaded.city);
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
     if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
     auto progress = [](std::string_view what, float done) {
@@ -450,6 +458,14 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.jaywalkers = world.jaywalkers;
     options.groups = world.company.shares;
     options.acquaintances = world.company.acquaintances;
+    if (world.alongside) options.along = world.alongside->shares;
+    options.pastimes = world.pastimes->shares;
+    options.pastime_places = world.pastimes->places;
+    if (world.roads) {
+        options.lanes = world.roads->lanes;
+        if (options.crossings.all.empty()) options.crossings = world.roads->crossings;
+    }
+    options.traffic = world.vehicles.traffic;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
     options.navmesh = settings_of(*world.navmesh);

@@ -266,6 +266,8 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
             return Error{"--svg draws the curves of steady walking: on level ground, a slope or stairs."};
     }
     if (options.command == Command::gait) options.scene.walkers = std::max(options.gait.crowd, 1);
+    // Who walks alone is nobody of the scene's.
+    if (options.command == Command::gait && options.gait.crowd == 0) options.scene.pushes.clear();
     if (const auto nobody = pushed_nobody(options.scene))
         return Error{"The scene pushes walker " + std::to_string(*nobody) +
                      ", who is nobody: walkers are numbered from 0, and there are " +

@@ -68,6 +68,8 @@ void add_trails(const OverlayInput& input, Overlay& overlay);
 void add_ways(const OverlayInput& input, Overlay& overlay);
 // Of crossings with lamps.
 void add_kerbs(const OverlayInput& input, Overlay& overlay);
+// Where one drives, and what those who do brake for.
+void add_lanes(const OverlayInput& input, Overlay& overlay);
 // Of those on a course.
 void add_stepper_ways(const OverlayInput& input, Overlay& overlay);
 void add_linkage_gizmos(const OverlayInput& input, Overlay& overlay);

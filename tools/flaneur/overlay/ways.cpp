@@ -117,6 +117,7 @@ void add_ways(const OverlayInput& input, Overlay& overlay) {
     if (input.world.roam) return add_probes(input.world.roam->walkers, input.camera.eye, overlay);
     if (input.world.stepping) add_stepper_ways(input, overlay);
     add_kerbs(input, overlay);
+    add_lanes(input, overlay);
     const Crowd& c = input.world.crowd;
     std::vector<std::pair<float, const Wayfarer*>> near;
     for (const Wayfarer& way : c.wayfarers) {

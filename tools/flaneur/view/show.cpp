@@ -54,7 +54,8 @@ Result<void> check_messages(uint32_t messages) {
 bool is_dark(const Sun& sun, bool is_overcast) { return make_daylight(sun, is_overcast).lamps > 0; }
 bool is_dark(const Show& show) { return is_dark(show.sun, show.is_overcast); }
 
-// Its city, its people, and then its movers, linkages and the ball.
+// Its city, its people, and then its movers, linkages, the ball, the phone, vehicles where one drives, and
+// what goes along with people.
 static SceneMeshes extract_show(const Show& show) {
     SceneMeshes meshes = extract_scene(*show.loaded.city, show.loaded.characters);
     for (PersonMesh& mover : extract_movers(show.loaded.world->movers))
@@ -62,6 +63,10 @@ static SceneMeshes extract_show(const Show& show) {
     for (PersonMesh& linkage : extract_linkages(show.loaded.world->linkages))
         meshes.people.push_back(std::move(linkage));
     meshes.people.push_back(extract_ball());
+    meshes.people.push_back(extract_phone());
+    if (show.loaded.world->roads)
+        for (PersonMesh& vehicle : extract_vehicles()) meshes.people.push_back(std::move(vehicle));
+    for (PersonMesh& thing : extract_alongside(*show.loaded.world)) meshes.people.push_back(std::move(thing));
     return meshes;
 }
 
@@ -161,8 +166,11 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     add_movers(world.movers, characters, show.people, between);
     add_linkages(world.linkages, characters + movers, show.people, between,
                  static_cast<uint32_t>(world.figures.plans.size()));
-    add_balls(world.balls, characters + movers + static_cast<uint32_t>(world.linkages.all.size()),
-              show.people, between, movers);
+    const uint32_t ball = characters + movers + static_cast<uint32_t>(world.linkages.all.size());
+    add_balls(world.balls, ball, show.people, between, movers);
+    add_phones(world, ball + 1, show.people, between);
+    add_vehicles(world, show.loaded.characters, ball + 2, show.people, between);
+    add_alongside(world, ball + 2 + vehicle_mesh_count(world), show.people, between);
     add_doers(world.deeds, show.loaded.characters, show.people, between,
               static_cast<uint32_t>(world.figures.plans.size() + world.linkages.all.size()));
     FrameInput frame;

@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <functional>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/spans.h"
 #include "sim/base/tick.h"
+#include "sim/pastimes/pastimes.h"
 #include "sim/stepping.h"
 
 namespace flaneur {
@@ -44,7 +46,10 @@ void find_doing(const World& world, WalkerFacts& f) {
     const Claim& claim = crowd.decision.claim[f.number];
     const float wanted = length(crowd.decision.wanted[f.number]);
     const Bystander* minds = own_of(world.bystanders.all, f.number);
-    if (is_down(crowd, f.number)) {
+    f.pastime = told_pastime(*world.pastimes, f.number, tick);
+    if (is_staying(*world.pastimes, f.number)) {
+        f.doing = Doing::has_a_pastime;
+    } else if (is_down(crowd, f.number)) {
         f.doing = Doing::is_down;
     } else if (waits_at_kerb(crowd.kerbs, f.number)) {
         const Lamp lamp = lamp_at(plan_of(*crowd.kerbs.map, crowd.kerbs.waits[f.number].kerb), tick);
@@ -53,12 +58,16 @@ void find_doing(const World& world, WalkerFacts& f) {
         f.seconds = seconds_of(lamp.left);
     } else if (minds && tick < minds->until && minds->does != Concern::glances) {
         f.doing = Doing::minds, f.minds = k_concern_words[static_cast<size_t>(minds->does)];
+    } else if (!f.pastime.empty()) {
+        f.doing = Doing::has_a_pastime;
     } else if (std::string with = company_words(world.company, crowd, world.folk, f.number); !with.empty()) {
         f.doing = Doing::is_with, f.with = std::move(with);
     } else if (journey.arrived && journey.errand == Errand::arrive) {
         f.doing = Doing::arrived;
     } else if (journey.arrived && wait > 0) {
         f.doing = Doing::stays, f.seconds = wait;
+    } else if (has_traffic(crowd.roadway) && crowd.scratch.lets_pass[f.number] != 0) {
+        f.doing = Doing::lets_pass;
     } else if (wait > 0) {
         f.doing = Doing::is_lost, f.seconds = wait;
     } else if (journey.path_due != PathDue::no) {
@@ -97,6 +106,7 @@ WalkerFacts quick_facts_of(const Show& show, uint32_t walker) {
     f.personality = personality_of(world, walker);
     if (is_creature(world.herd, walker))
         f.creature = world.herd.creatures[walker - world.herd.goes_as.front()].size;
+    f.along = told_along(world, walker);
     find_doing(world, f);
     return f;
 }
@@ -139,7 +149,7 @@ std::string told_nature(const Personality& p) {
     return told;
 }
 
-std::string told_doing(const WalkerFacts& f) {
+static std::string told_errand(const WalkerFacts& f) {
     char text[96] = "";
     switch (f.doing) {
         case Doing::walks:
@@ -171,14 +181,23 @@ std::string told_doing(const WalkerFacts& f) {
             return text;
         case Doing::is_at_lamp:
             return "stands at the lamp, which is green";
+        case Doing::lets_pass:
+            return "waits until those have passed who drive";
         case Doing::is_down:
             return "has fallen";
         case Doing::minds:
             return std::string(f.minds);
+        case Doing::has_a_pastime:
+            return f.pastime;
         case Doing::is_with:
             return f.with;
     }
     return text;
+}
+
+std::string told_doing(const WalkerFacts& f) {
+    const std::string errand = told_errand(f);
+    return f.along.empty() ? errand : std::string(f.along) + "; " + errand;
 }
 
 const char* told(Bag bag) {

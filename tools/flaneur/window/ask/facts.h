@@ -24,8 +24,10 @@ enum class Doing : uint8_t {
     is_down,         // has fallen, lies or gets up
     minds,           // that somebody has fallen
     is_with,         // others
+    has_a_pastime,   // sits, leans, looks at a window, queues, uses a phone
     waits_for_lamp,  // that is red
     is_at_lamp,      // that is green: starts in a moment, or has come too late
+    lets_pass,       // who drives
 };
 
 struct WalkerFacts {
@@ -43,8 +45,10 @@ struct WalkerFacts {
     Doing doing = Doing::walks;
     float seconds = 0;                        // that it stays still, is lost still, has been stuck
     uint32_t whom = 0;                        // it gives way to
-    std::string_view minds;                   // what it does who minds
+    std::string_view minds;                   // what it does who minds,
+    std::string pastime;                      // and who has a pastime
     std::string with;                         // whom it walks or talks with, and how
+    std::string_view along;                   // what it does with what goes along with it; empty: nothing
     float to_go = 0;                          // metres, as the crow flies
     std::optional<DestinationKind> to, from;  // where it goes, and where it set out; none: nobody knows
 };

@@ -174,6 +174,16 @@ static std::optional<uint32_t> meant(const Show& show, const Viewer& v) {
     return who && is_there(show.loaded.world->crowd, *who) ? who : std::nullopt;
 }
 
+// Why push() refuses somebody.
+static const char* why_not_pushed(const World& world, uint32_t walker) {
+    if (world.roam) return "Nobody is pushed where people walk all round.";
+    if (world.stepping && world.stepping->bipeds.is_flat)
+        return "Nobody is pushed on a course in one line: its walkers keep to one plane.";
+    if (is_creature(world.herd, walker)) return "It has six legs, and no push fells it.";
+    if (world.crowd.identity.ahead[walker] > 0) return "Whoever pushes a pram is not pushed.";
+    return "Whoever comes in or leaves just now is not pushed: wait a moment.";
+}
+
 void push_asked(Show& show, Viewer& v, float impulse) {
     World& world = *show.loaded.world;
     const std::optional<uint32_t> who = meant(show, v);
@@ -181,9 +191,7 @@ void push_asked(Show& show, Viewer& v, float impulse) {
     const Vec3 at = world.crowd.motion.position[*who];
     const Vec2 way = normalize_or(Vec2{at.x - v.camera.eye.x, at.z - v.camera.eye.z}, {0, 1});
     if (!push(world, {*who, world.crowd.slots.generation[*who]}, way * impulse))
-        return tell(v,
-                    "Whoever pushes a pram, comes in or leaves just now, has six legs, or walks on an "
-                    "asteroid or in one plane, is not pushed.");
+        return tell(v, why_not_pushed(world, *who));
     v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
 }
 

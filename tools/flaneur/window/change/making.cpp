@@ -3,7 +3,9 @@
 #include <chrono>
 #include <utility>
 
+#include "assets/pastimes/places.h"
 #include "assets/stages/platform.h"
+#include "sim/pastimes/pastimes.h"
 #include "tools/extract/extract.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/change/design.h"
@@ -62,6 +64,8 @@ Result<void> move_in(Show& show, Made made, bool holds_old) {
         show.loaded.city = made.city;
         change_ground(*show.loaded.world, std::shared_ptr<const Ground>(made.city, &made.city->ground),
                       std::move(made.mesh), made.city->destinations, made.changed);
+        World& world = *show.loaded.world;
+        set_places(*world.pastimes, pastime_places(*made.city), *world.navmesh, world.crowd);
         show.overlay.walkable.clear();
         show.has_lamps = false;
     }

@@ -13,10 +13,9 @@
 #include "sim/stepping.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
-#include "tools/flaneur/window/change/company.h"
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
-#include "tools/flaneur/window/change/lamps.h"
+#include "tools/flaneur/window/change/life.h"
 #include "tools/flaneur/window/change/platform.h"
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
@@ -243,7 +242,9 @@ void lay_out_history(Show& show, Viewer& v, float scale) {
 }
 
 template <AddedKind Kind>
-void take_tool(Show&, Viewer& v) {
+void take_tool(Show& show, Viewer& v) {
+    const World& world = *show.loaded.world;
+    if (world.roam || is_on_course(world)) return tell(v, "Nothing is put down here: this is no city.");
     choose_tool(v, Kind);
 }
 
@@ -366,6 +367,9 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_drink(show, v, scale);
     lay_out_lamps(show, v, scale);
     lay_out_company(show, v, scale);
+    lay_out_alongside(show, v, scale);
+    lay_out_pastimes(show, v, scale);
+    lay_out_traffic(show, v, scale);
     if (!show.loaded.world->roam && !is_on_course(*show.loaded.world)) {
         ImGui::Spacing();
         lay_out_tools(v, scale);

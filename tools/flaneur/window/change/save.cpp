@@ -9,6 +9,8 @@
 
 #include "assets/files/file.h"
 #include "assets/idles.h"
+#include "sim/alongside/alongside.h"
+#include "sim/pastimes/pastimes.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/panels.h"
@@ -57,6 +59,9 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     s.groups = show.loaded.world->company.shares;
     s.acquaintances = show.loaded.world->company.acquaintances;
     if (s.lamps) s.jaywalkers = show.loaded.world->jaywalkers;
+    if (show.loaded.world->alongside) s.along = show.loaded.world->alongside->shares;
+    s.pastimes = show.loaded.world->pastimes->shares;
+    s.traffic = show.loaded.world->vehicles.traffic;
     leave_out_nobody(s);
     s.views = show.work_views;
     s.quality = v.quality;

@@ -1,0 +1,107 @@
+// What those on foot do about vehicles.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/tick.h"
+#include "sim/lanes/near.h"
+#include "sim/lanes/roadway.h"
+
+namespace flaneur {
+
+namespace {
+constexpr float k_looks = 14, k_step = 0.5f;  // metres of its way that one looks at
+constexpr float k_steps_on = 0.9f;            // metres before a carriageway at which one decides
+constexpr float k_island = 1.6f;              // metres between lanes on which one can wait again
+constexpr float k_sets_off = 0.7f;            // seconds
+constexpr float k_margin = 2;                 // seconds between who has crossed and who comes
+constexpr float k_cannot_stop = 2.2f;         // seconds: who is so near a crossing does not stop any more
+}  // namespace
+
+static bool is_red(const Crossings& crossings, const Crossing& crossing, uint32_t tick) {
+    return is_ruled(crossing) && lamp_at(crossings.plans[crossing.plan], tick).light != Light::green;
+}
+
+bool must_let_pass(const Roadway& r, const Walking& s) {
+    const RoadRaster& raster = r.map->raster;
+    auto what_at = [&](uint32_t square) {
+        return square == RoadRaster::k_nowhere ? RoadRaster::k_off : raster.what[square];
+    };
+    const Vec2 here = on_ground(s.at);
+    if (what_at(square_of(raster, here)) != RoadRaster::k_off) return false;  // is on it, and goes on
+    float begins = -1, last = -1;
+    bool comes = false;
+    const float pace = std::max(s.speed, 0.5f);
+    for (float far = k_step; far < k_looks; far += k_step) {
+        const uint32_t square = square_of(raster, here + s.way * far);
+        const uint16_t what = what_at(square);
+        if (what == RoadRaster::k_off) {
+            if (begins >= 0 ? far - last > k_island : far > k_steps_on + s.ahead) break;
+            continue;
+        }
+        if (begins < 0) begins = far;
+        last = far;
+        const uint16_t ticks = r.arrival[quad_of(square)];
+        if (ticks == Roadway::k_nobody_comes) continue;
+        const float arrives = static_cast<float>(ticks) * k_tick, there = far / pace + k_sets_off;
+        bool gives_way = false;
+        if (what > RoadRaster::k_lane) {
+            const Crossings& crossings = r.map->crossings;
+            gives_way = !is_red(crossings, crossings.all[what - 2u], s.tick);
+        }
+        comes |= arrives < (gives_way ? k_cannot_stop : there + k_margin);
+    }
+    return comes;
+}
+
+// Whether a vehicle stands on the next step or two.
+static bool is_in_way(const Roadway& r, Vec2 place, Vec2 way, float far, float radius) {
+    constexpr float k_steps[] = {0.25f, 0.6f, 1.1f};  // metres
+    bool is = false;
+    for_boxes_near(r, place, k_steps[2] + radius, [&](uint32_t k) {
+        for (const float on : k_steps)
+            is |= on < far + 0.2f && off_box(r.boxes[k], place + way * on).far < radius + 0.05f;
+    });
+    return is;
+}
+
+Vec2 round_vehicles(const Roadway& r, Vec3 here, Vec2 wanted, float radius) {
+    constexpr float k_sees = 3, k_clear = 0.35f, k_stands = 0.4f, k_level = 2;  // metres, m/s
+    constexpr float k_blocked = 30;  // metres of a detour that it is worth to get on
+    const float speed = length(wanted);
+    if (speed < 0.05f) return wanted;
+    const Vec2 place = on_ground(here), way = wanted / speed;
+    if (!is_near_vehicles(r, place)) return wanted;
+    const VehicleBox* in_way = nullptr;
+    float nearest = k_sees;
+    for_boxes_near(r, place, k_sees, [&](uint32_t k) {
+        const VehicleBox& box = r.boxes[k];
+        if (box.speed > k_stands || std::fabs(box.y - here.y) > k_level) return;
+        VehicleBox grown = box;
+        grown.half_length += radius + k_clear / 2, grown.half_width += radius + k_clear / 2;
+        for (float far = 0.2f; far < nearest; far += 0.4f)
+            if (off_box(grown, place + way * far).far < 0) nearest = far, in_way = &box;
+    });
+    if (!in_way) return wanted;
+    // The corners that are not behind it, each a little out; the one that is least of a detour, and to which
+    // no other stands in the way.
+    const OnBox at = on_box(*in_way, place);
+    const float l = in_way->half_length + radius + k_clear, w = in_way->half_width + radius + k_clear;
+    const Vec2 ahead = in_way->ahead, left{ahead.z, -ahead.x};
+    Vec2 best = wanted;
+    float least = 1e9f;
+    const Vec2 aim = place + way * (nearest + 2 * in_way->half_width + 1);
+    const bool is_beside = std::fabs(at.left) > in_way->half_width + radius * 0.5f;
+    for (const float z : {l, -l})
+        for (const float x : {w, -w}) {
+            // Beside it one goes along its side, before it along its end.
+            if (!(is_beside ? x * at.left > 0 : z * at.ahead > 0)) continue;
+            const Vec2 corner = in_way->middle + ahead * z + left * x, to = corner - place;
+            const float blocked =
+                is_in_way(r, place, normalize_or(to, way), length(to), radius) ? k_blocked : 0;
+            const float detour = length(to) + length(aim - corner) + blocked;
+            if (detour < least && length(to) > 0.1f) least = detour, best = normalize_or(to, way) * speed;
+        }
+    return best;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,58 @@
+#include "sim/pastimes/standing.h"
+
+#include <algorithm>
+
+#include "sim/base/math.h"
+#include "sim/fall/limbs.h"
+
+namespace flaneur {
+
+BodyPose leaning_back(const BodyPose& standing, const FootAt (&stands)[2], Someone who,
+                      const WallBehind& wall, uint32_t foot, float share) {
+    constexpr float k_straightest = 0.99f, k_leans = 0.05f;
+    const float u = bell(share);
+    const auto& joints = who.person.joints;
+    const int lane = who.lane;
+    BodyPose pose = standing;
+    const Vec3 out = at_height(wall.out, 0);
+    const float back = who.person.girth[2][lane];
+    // Upright, with the back along the wall.
+    const Quat yaw = rotation_y(heading_of(wall.out));
+    const Quat turn = normalize(nlerp(Quat{}, yaw * conjugate(standing.rotation[hips]), u));
+    for (Quat& joint : pose.rotation) joint = normalize(turn * joint);
+    const float off = dot(standing.hips - wall.at, out), along = off - (back + 0.004f);
+    pose.hips = standing.hips - out * (along * u);
+    lean_trunk(pose, -k_leans * u);
+    // As low as legs have it.
+    const float leg = joints[left_upper_leg][1][lane] - joints[left_foot][1][lane];
+    const float hip_drop = joints[hips][1][lane] - joints[left_upper_leg][1][lane];
+    for (const Side side : {k_left, k_right}) {
+        if (foot == static_cast<uint32_t>(side)) continue;
+        const Vec3 ankle = stands[side].ankle;
+        const float away = dot(ankle - pose.hips, out);
+        const float most =
+            ankle.y + hip_drop +
+            std::sqrt(std::max(k_straightest * k_straightest * leg * leg - away * away, 0.04f));
+        pose.hips.y = lerp(pose.hips.y, std::min(pose.hips.y, most), u);
+    }
+    for (const Side side : {k_left, k_right}) {
+        FootAt to = stands[side];
+        if (foot == static_cast<uint32_t>(side)) {
+            const float sole = joints[left_foot][1][lane];
+            const Vec3 hip =
+                places_of(pose, who.person, lane)[side == k_left ? left_upper_leg : right_upper_leg];
+            FootAt set{hip, heading_of(wall.out), 1.42f};
+            set.ankle.y = stands[side].ankle.y + 0.3f * leg;
+            set.ankle += out * (dot(wall.at - hip, out) + sole + 0.012f);
+            const float t = bell(clamp(1.5f * share - 0.5f, 0, 1));
+            to.ankle = lerp(to.ankle, set.ankle, t) + out * (0.1f * t * (1 - t));
+            to.yaw += wrap_angle(set.yaw - to.yaw) * t;
+            to.down = lerp(to.down, set.down, t);
+        }
+        const Vec3 pole = lerp(knee_of(standing, who, side), out, u);
+        set_leg(pose, who, side, to, normalize_or(pole, out));
+    }
+    return pose;
+}
+
+}  // namespace flaneur

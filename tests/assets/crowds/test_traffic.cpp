@@ -1,0 +1,53 @@
+// Those who drive in cities that are made, among people, over minutes.
+#include <gtest/gtest.h>
+
+#include "assets/cities.h"
+#include "assets/quayside.h"
+#include "tests/sim/vehicles/watch_traffic.h"
+
+namespace flaneur {
+namespace {
+
+std::unique_ptr<World> peopled(City made, bool lamps, uint64_t seed, float traffic, uint32_t walkers) {
+    const auto city = std::make_shared<const City>(std::move(made));
+    WorldOptions options{.walkers = walkers, .seed = seed, .threads = 2};
+    options.destinations = city->destinations;
+    options.crossings = city->crossings;
+    if (!lamps) take_lamps(options.crossings);
+    options.lanes = city->lanes;
+    options.traffic = traffic;
+    auto world = make_world(std::shared_ptr<const Ground>(city, &city->ground), options);
+    EXPECT_TRUE(world) << world.error().message;
+    return std::move(*world);
+}
+
+void expect_sound(const TrafficTally& seen) {
+    EXPECT_LT(seen.into_people, 0.02f);
+    EXPECT_LE(seen.into_vehicles, 0);
+    EXPECT_LT(seen.hardest, 7.6f);
+    EXPECT_LT(seen.jump, 0.27f);
+    EXPECT_EQ(seen.on_red, 0u);
+}
+
+TEST(CityTraffic, HitsNobodyAndGetsOnInTheDistrict) {
+    for (const bool lamps : {true, false}) {
+        const auto world = peopled(generate_district({1, 4}), lamps, 1, 1, 400);
+        std::printf("%zu vehicles\n", world->vehicles.all.size());
+        const TrafficTally seen = watch_traffic(*world, 4 * 60 * 60);
+        print(lamps ? "district with lamps" : "district", seen);
+        expect_sound(seen);
+        EXPECT_LT(seen.longest_stood, 150);
+        EXPECT_GT(seen.mean_speed, 1.5f);
+    }
+}
+
+TEST(CityTraffic, HitsNobodyOnTheQuayside) {
+    const auto world = peopled(build_quayside(1), true, 2, 1, 150);
+    const TrafficTally seen = watch_traffic(*world, 4 * 60 * 60);
+    print("quayside", seen);
+    expect_sound(seen);
+    EXPECT_LT(seen.longest_stood, 120);
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,196 @@
+// Those who drive, over many minutes: whom they hit, how they brake, whether they get on.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "sim/base/math.h"
+#include "sim/state.h"
+#include "sim/vehicles/drive.h"
+#include "sim/world.h"
+#include "tests/sim/allocations.h"
+#include "tests/sim/small_grounds.h"
+#include "tests/sim/vehicles/watch_traffic.h"
+
+namespace flaneur {
+namespace {
+
+constexpr float k_half = 4, k_out = 80;  // metres: of a carriageway, to the map's edges
+
+// Two streets that cross, with pavements at the corners, level with them.
+Ground crossroads() {
+    constexpr float k_from = 7, k_to = 11;  // of crossings
+    Ground ground;
+    ground.name = "crossroads";
+    add_floor(ground, {-k_half, -k_half}, {k_half, k_half}, 0, Surface::road);
+    for (const float side : {-1.0f, 1.0f}) {
+        auto along = [&](float from, float to, Surface kind) {
+            const float low = side > 0 ? from : -to, high = side > 0 ? to : -from;
+            add_floor(ground, {low, -k_half}, {high, k_half}, 0, kind);
+            add_floor(ground, {-k_half, low}, {k_half, high}, 0, kind);
+        };
+        along(k_half, k_from, Surface::road);
+        along(k_from, k_to, Surface::crossing);
+        along(k_to, k_out, Surface::road);
+        for (const float to : {-1.0f, 1.0f})
+            add_floor(ground, {to > 0 ? k_half : -k_out, side > 0 ? k_half : -k_out},
+                      {to > 0 ? k_out : -k_half, side > 0 ? k_out : -k_half}, 0, Surface::sidewalk);
+    }
+    index_ground(ground);
+    return ground;
+}
+
+Crossings four_crossings(bool ruled, uint64_t seed) {
+    constexpr float k_off = 9;
+    Crossings c;
+    for (const float side : {-1.0f, 1.0f}) {
+        c.all.push_back({{side * k_off, 0, 0}, {0, 1}, {1, 0}, k_half, 2});
+        c.all.push_back({{0, 0, side * k_off}, {1, 0}, {0, 1}, k_half, 2});
+    }
+    const uint8_t all[] = {1, 1, 1, 1};
+    if (ruled) set_lamps(c, all, seed);
+    return c;
+}
+
+RoadPlan two_streets(bool drives_left = false) {
+    RoadPlan plan;
+    plan.drives_left = drives_left;
+    plan.nodes = {{{0, 0}, false}, {{-78, 0}, true}, {{78, 0}, true}, {{0, -78}, true}, {{0, 78}, true}};
+    for (uint32_t n = 1; n < 5; ++n)
+        plan.roads.push_back(
+            {.line = {plan.nodes[0].at, plan.nodes[n].at}, .from = 0, .to = n, .width = 2 * k_half});
+    return plan;
+}
+
+WorldOptions busy(bool ruled, uint64_t seed, float traffic, uint32_t walkers) {
+    WorldOptions options{.walkers = walkers, .seed = seed, .threads = 1};
+    for (const float x : {-20.0f, 20.0f})
+        for (const float z : {-20.0f, 20.0f})
+            options.destinations.push_back(
+                {DestinationKind::square, {x, 0, z}, {x > 0 ? 1.0f : -1.0f, 0}, 1});
+    options.crossings = four_crossings(ruled, seed);
+    options.lanes = make_lanes(two_streets(), options.crossings, {}, {});
+    options.traffic = traffic;
+    return options;
+}
+
+std::unique_ptr<World> make_busy(const WorldOptions& options) {
+    auto world = make_world(std::make_shared<const Ground>(crossroads()), options);
+    EXPECT_TRUE(world) << world.error().message;
+    return std::move(*world);
+}
+
+TEST(Lanes, LeadThroughAJunctionEveryWay) {
+    for (const bool left : {false, true}) {
+        const Lanes lanes = make_lanes(two_streets(left), four_crossings(false, 1), {}, {});
+        uint32_t roads = 0, curves = 0;
+        for (uint32_t i = 0; i < lanes.all.size(); ++i) {
+            const Lane& lane = lanes.all[i];
+            (is_curve(lane) ? curves : roads) += 1;
+            // Each goes on where the one before ends.
+            for (const uint32_t next : nexts_of(lanes, lane))
+                EXPECT_LT(length(on_lane(lanes, i, lane.length).at - on_lane(lanes, next, 0).at), 0.05f);
+            if (is_curve(lane)) continue;
+            // On the side where one drives.
+            const OnLane middle = on_lane(lanes, i, lane.length / 2);
+            const float aside = cross(on_ground(middle.at), middle.along);
+            EXPECT_NEAR(std::fabs(aside), 2, 0.05f);
+            EXPECT_EQ(aside > 0,
+                      left == (cross(on_ground(middle.at), middle.along) > 0) ? aside > 0 : aside > 0);
+            EXPECT_EQ(lane.crossing_count, 1u);
+            EXPECT_EQ(lane.next_count, lane.is_gate_out != 0 ? 0u : 3u);
+        }
+        EXPECT_EQ(roads, 8u);
+        EXPECT_EQ(curves, 12u);
+    }
+}
+
+TEST(Vehicles, HitNobodyAndEachOtherNever) {
+    for (const bool ruled : {true, false})
+        for (uint64_t seed = 1; seed <= 3; ++seed) {
+            const auto world = make_busy(busy(ruled, seed, 1, ruled ? 50 : 30));
+            const TrafficTally seen = watch_traffic(*world, 3 * 60 * 60);
+            print(ruled ? "with lamps" : "without", seen);
+            EXPECT_LT(seen.into_people, 0.02f);
+            EXPECT_LE(seen.into_vehicles, 0);
+            EXPECT_LT(seen.hardest, 7.6f);
+            EXPECT_LT(seen.jump, 0.27f);
+            EXPECT_LT(seen.longest_stood, 150);
+            EXPECT_LE(seen.stopped, 2u);
+            EXPECT_EQ(seen.on_red, 0u);
+            EXPECT_GT(seen.left, 15u);
+        }
+}
+
+TEST(Vehicles, AreOneStateForAnyThreadsAndAfterARest) {
+    WorldOptions options = busy(true, 5, 1, 60);
+    const auto one = make_busy(options);
+    options.threads = 2;
+    const auto two = make_busy(options), rested = make_busy(options);
+    for (int t = 0; t < 600; ++t) step(*one), step(*two);
+    EXPECT_EQ(hash_world(*one), hash_world(*two));
+    std::vector<std::byte> bytes;
+    save_state(*one, bytes);
+    ASSERT_TRUE(load_state(*rested, bytes));
+    for (int t = 0; t < 300; ++t) step(*one), step(*rested);
+    EXPECT_EQ(hash_world(*one), hash_world(*rested));
+}
+
+TEST(Vehicles, AllocateNothingInATick) {
+    const auto world = make_busy(busy(true, 2, 1, 60));
+    for (int t = 0; t < 60; ++t) step(*world);
+    const size_t before = allocations();
+    for (int t = 0; t < 1200; ++t) step(*world);
+    EXPECT_EQ(allocations(), before);
+}
+
+TEST(Vehicles, KeepTheGapOfTheirModel) {
+    // Behind one that goes as fast: a standing gap and what it goes in 1.1 s, a little more where it is fast.
+    const VehicleShape& car = k_vehicle_shapes[0];
+    for (const float speed : {3.0f, 8.0f, 13.0f}) {
+        float gap = 100;
+        for (float at = 0; at < 100; at += 0.05f)
+            if (driven(car, speed, 14, {at, speed, Brakes::ahead, 0}, 1.8f) > 0) {
+                gap = at;
+                break;
+            }
+        EXPECT_GE(gap, 1.8f + 1.1f * speed - 0.1f);
+        EXPECT_LT(gap, (1.8f + 1.1f * speed) * 2.2f);
+    }
+    // Comes to stand before what stands, without hard braking.
+    float speed = 13, far = 80, hardest = 0;
+    for (int t = 0; t < 3600; ++t) {
+        const float a = driven(car, speed, 14, {far, 0, Brakes::lamp, 0}, 0.35f);
+        hardest = std::max(hardest, -a);
+        const float next = std::max(speed + a * k_tick, 0.0f);
+        far -= 0.5f * (speed + next) * k_tick, speed = next;
+    }
+    EXPECT_GT(far, 0.1f);
+    EXPECT_LT(far, 0.8f);
+    EXPECT_LT(hardest, 3.5f);
+}
+
+TEST(Vehicles, LetAPersonOverAndStopForOneWhoLies) {
+    // One who stands on the carriageway is not driven into, for as long as he stands there.
+    WorldOptions options = busy(false, 3, 0.6f, 1);
+    options.destinations.clear();
+    const auto world = make_busy(options);
+    World& w = *world;
+    // In a lane, where nobody drives yet.
+    Vec3 spot{16, 0, 2};
+    auto is_taken = [&](const VehicleBox& box) { return off_box(box, on_ground(spot)).far < 8; };
+    while (spot.x < 60 && std::ranges::any_of(w.crowd.roadway.boxes, is_taken)) spot.x += 1;
+    const auto place = nearest(*w.navmesh, 0, spot);
+    ASSERT_TRUE(place);
+    w.crowd.motion.position[0] = spot;
+    w.crowd.motion.polygon[0] = place->polygon;
+    w.crowd.journeys[0] = {};
+    w.crowd.journeys[0].errand = Errand::arrive;
+    const TrafficTally seen = watch_traffic(w, 40 * 60);
+    print("one stands", seen);
+    EXPECT_LT(seen.into_people, 0);
+    EXPECT_GT(seen.decided[static_cast<size_t>(Brakes::people)], 600u);
+    EXPECT_LT(seen.hardest, 7.6f);
+}
+
+}  // namespace
+}  // namespace flaneur

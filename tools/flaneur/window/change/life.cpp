@@ -1,0 +1,89 @@
+#include "tools/flaneur/window/change/life.h"
+
+#include "sim/alongside/alongside.h"
+#include "sim/pastimes/pastimes.h"
+#include "sim/stepping.h"
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/change/room.h"
+#include "tools/flaneur/window/viewer.h"
+#include "tools/flaneur/window/widgets.h"
+
+namespace flaneur {
+
+void lay_out_lamps(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (!minds_lamps(world.crowd.kerbs)) return;
+    if (float share = world.jaywalkers; slide_share("go on red", share, scale)) {
+        set_jaywalkers(world, share);
+        changed_by_hand(v.time, world);
+    }
+    tip("of those who come to a crossing while its lamp is red; at 100 % nobody minds lamps");
+}
+
+void lay_out_traffic(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (!world.roads) return;
+    if (float traffic = world.vehicles.traffic; slide_share("traffic", traffic, scale)) {
+        set_traffic(world, traffic);
+        changed_by_hand(v.time, world);
+    }
+    tip("how many drive: at 0 % nobody, at 50 % as many as usual, at 100 % as in a rush hour");
+}
+
+void lay_out_pastimes(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (world.roam || is_on_course(world)) return;
+    const PastimePlaces& places = world.pastimes->places;
+    struct {
+        const char *name, *tip;
+        float PastimeShares::*share;
+        bool is_there;
+    } const sliders[] = {
+        {"sit down", "of those who stop at benches", &PastimeShares::sitting, !places.seats.empty()},
+        {"lean at walls", "of those who stop beside one", &PastimeShares::leaning, true},
+        {"use phones", "of all, at any time; 10 to 30 % is usual", &PastimeShares::phones, true},
+        {"look at windows", "of those who like to, as they pass shops", &PastimeShares::windows,
+         !places.windows.empty()},
+        {"line up", "of those who pass a window that sells to the street", &PastimeShares::queues,
+         !places.services.empty()}};
+    for (const auto& slider : sliders) {
+        if (!slider.is_there) continue;
+        PastimeShares shares = world.pastimes->shares;
+        if (slide_share(slider.name, shares.*slider.share, scale)) {
+            set_shares(*world.pastimes, shares, world.crowd);
+            changed_by_hand(v.time, world);
+        }
+        tip(slider.tip);
+    }
+}
+
+void lay_out_company(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (!is_on(world.company)) return;
+    if (float share = grouped_share(world.company); slide_share("in groups", share, scale)) {
+        set_grouped_share(world.company, share);
+        changed_by_hand(v.time, world);
+    }
+    tip("of those who come in through doors and at the map's edges: they walk, stop and talk together");
+    if (float share = world.company.acquaintances; slide_share("acquaintances", share, scale)) {
+        world.company.acquaintances = share;
+        changed_by_hand(v.time, world);
+    }
+    tip("how likely two who come towards each other know each other, greet and stop to talk");
+}
+
+void lay_out_alongside(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (!world.alongside) return;
+    AlongShares shares = world.alongside->shares;
+    bool is_moved = slide_share("walk a dog", shares.dogs, scale);
+    is_moved |= slide_share("in a wheelchair", shares.wheelchairs, scale);
+    is_moved |= slide_share("with a white cane", shares.white_canes, scale);
+    is_moved |= slide_share("under an umbrella", shares.umbrellas, scale);
+    tip("of the grown ones whose hands are free");
+    if (!is_moved) return;
+    change_along(world, shares);
+    changed_by_hand(v.time, world);
+}
+
+}  // namespace flaneur
