@@ -83,7 +83,7 @@ struct Bearing {
     uint32_t gazes = 0;                      // 1: looks at that one, 0: ahead, or about,
     uint32_t gaze_began = 0, gaze_ends = 0;  // from this tick to that
     uint32_t holds = k_nobody;               // whose hand it has, mostly of a child,
-    uint32_t own_side = 0, others_side = 0;  // with which Side of its own, and which of the other's
+    uint32_t holds_side = 0;                 // with which Side of its own
     float grip = 0;                          // 0: hangs .. 1: hands are in each other
     uint32_t runs_until = 0;                 // tick: a child runs ahead,
     uint32_t runs_next = 0;                  // and may do so again from then on
@@ -103,11 +103,6 @@ inline const Group* group_of(const Company& company, const Crowd& crowd, uint32_
     if (crowd.fellows.empty() || crowd.fellows[walker].group == k_no_group) return nullptr;
     return &company.groups[crowd.fellows[walker].group];
 }
-
-// How many are in groups, of those who come in, 0..1; and another number, of which as many are in pairs,
-// threes and fours as before. Those who are there stay as they are.
-float grouped_share(const Company& company);
-void set_grouped_share(Company& company, float share);
 
 // Makes groups of those who have been set down and wander: their ages fit, and they stand together. Bodies
 // are dealt anew among them. Allocates; before their gait begins.

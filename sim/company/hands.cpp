@@ -182,8 +182,11 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
     Bearing& b = company.bearings[i];
     const Holding h{c, gait, i, b.holds};
     const bool together = is_seen(c, group, i) && is_seen(c, group, b.holds);
-    if (b.grip <= 0) b.own_side = side_of(c, i, b.holds), b.others_side = side_of(c, b.holds, i);
-    const auto own = static_cast<Side>(b.own_side), others = static_cast<Side>(b.others_side);
+    // Of both, so that neither changes hands while they hold.
+    if (b.grip <= 0)
+        b.holds_side = static_cast<uint32_t>(side_of(c, i, b.holds)) |
+                       static_cast<uint32_t>(side_of(c, b.holds, i)) << 1;
+    const auto own = static_cast<Side>(b.holds_side & 1), others = static_cast<Side>(b.holds_side >> 1);
     const bool holds = together && can_hold(h, own, others, b.grip > 0);
     b.grip = clamp(b.grip + (holds ? k_takes : -k_lets_go), 0, 1);
     if (b.grip > 0 && together && !is_down(c, i) && !is_down(c, b.holds))

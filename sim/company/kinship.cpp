@@ -48,28 +48,10 @@ uint32_t draw_size(const Quota& quota, uint32_t least, RandomKey key) {
 }
 
 uint64_t hash_company(const Company& company) {
-    static_assert(sizeof(Group) == 4 * (8 + 4 + 2 + 5 + 2 + 2 + 4 + 3 + 4 + 5) && sizeof(Bearing) == 4 * 13);
+    static_assert(sizeof(Group) == 4 * (8 + 4 + 2 + 5 + 2 + 2 + 4 + 3 + 4 + 5) && sizeof(Bearing) == 4 * 12);
     const uint64_t hash =
         hash_bytes(company.vacant, company.groups.data(), company.groups.size() * sizeof(Group));
     return hash_bytes(hash, company.bearings.data(), company.bearings.size() * sizeof(Bearing));
-}
-
-static float sum_of(const GroupShares& shares, size_t from) {
-    float sum = 0;
-    for (size_t k = from; k < shares.size(); ++k) sum += shares[k];
-    return sum;
-}
-
-float grouped_share(const Company& company) {
-    return sum_of(company.shares, 1) / std::max(sum_of(company.shares, 0), 1e-6f);
-}
-
-void set_grouped_share(Company& company, float share) {
-    const GroupShares& usual = has_groups(company.shares) ? company.shares : k_usual_groups;
-    const float grouped = sum_of(usual, 1);
-    GroupShares shares{1 - share};
-    for (size_t k = 1; k < shares.size(); ++k) shares[k] = share * usual[k] / grouped;
-    company.shares = shares;
 }
 
 static float age_of(const Crowd& c, std::span<const Folk> folk, uint32_t i) {

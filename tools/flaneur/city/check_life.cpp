@@ -6,8 +6,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/spans.h"
-#include "sim/fall/body_pose.h"
-#include "sim/fall/limbs.h"
+#include "sim/deeds/bend.h"
 #include "sim/pastimes/pastimes.h"
 
 namespace flaneur {
@@ -31,10 +30,10 @@ bool goes_on(const World& w, uint32_t i) {
 float hands_apart(const World& w, uint32_t i) {
     const Bearing& own = w.company.bearings[i];
     auto palm = [&](uint32_t who, Side side) {
-        const PersonBlock& person = w.gait.people[who / k_block];
-        return palm_of(body_pose_of(w.poses, who), person, static_cast<int>(who % k_block), side);
+        const Someone body{w.gait.people[who / k_block], static_cast<int>(who % k_block)};
+        return palm_of(body_pose_of(w.poses, who), body, side).place;
     };
-    const Vec3 held = palm(i, static_cast<Side>(own.holds_side));
+    const Vec3 held = palm(i, static_cast<Side>(own.holds_side & 1));
     return std::min(length(palm(own.holds, k_left) - held), length(palm(own.holds, k_right) - held));
 }
 
