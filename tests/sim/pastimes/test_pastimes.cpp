@@ -241,8 +241,8 @@ TEST(PastimesLong, TenMinutesKeepToTheSharesAndNobodyIsStuck) {
                 stuck += !waits && world->tick - j.closest_tick > 25 * 60;
             }
             for (const Pastime& p : world->pastimes->all)
-                late += p.phase == StayPhase::comes && p.what != Staying::queues && p.what != Staying::nowhere &&
-                        world->tick - p.began > 16 * 60;
+                late += p.phase == StayPhase::comes && p.what != Staying::queues &&
+                        p.what != Staying::nowhere && world->tick - p.began > 16 * 60;
             for (const Pastime& p : world->pastimes->all) {
                 if (p.what != Staying::sits || p.phase != StayPhase::stays) continue;
                 const float stays = static_cast<float>(p.until - p.began) * k_tick;
