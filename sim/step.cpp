@@ -28,9 +28,10 @@ void timed(World& world, Stage stage, const Work& work) {
 }
 
 PastimeTick pastime_tick(World& w) {
-    // Who minds somebody who has fallen does nothing else.
+    // Who minds somebody who has fallen, is with others or has something along does nothing else.
     auto is_free = [](const World& world, uint32_t i) {
         return is_by_itself(world, i) && !own_of(world.bystanders.all, i) &&
+               !group_of(world.company, world.crowd, i) && !companion_of(world, i) &&
                world.gait.blocks[i / k_block].jump[i % k_block] == 0;
     };
     return {*w.pastimes, w.crowd, w.gait, *w.navmesh, w.around, w.poses, w.seed, w.tick, w, is_free};

@@ -63,7 +63,7 @@ void add_on_side(PropMesh& mesh, float x, float top_x, float z0, float z1, float
 
 void add_across(PropMesh& mesh, float x, float y0, float z0, float y1, float z1, bool front, PropPart part) {
     const Vec3 a{-x, y0, z0}, b{x, y0, z0}, c{x * 0.96f, y1, z1}, d{-x * 0.96f, y1, z1};
-    front ? add_quad(mesh, b, a, d, c, part) : add_quad(mesh, a, b, c, d, part);
+    front ? add_quad(mesh, a, b, c, d, part) : add_quad(mesh, b, a, d, c, part);
 }
 
 // The shade of arches over wheels.
@@ -198,7 +198,7 @@ void add_bicycle_wheel(PropMesh& mesh, const VehicleWheel& w) {
     for (int k = 0; k < k_sides; ++k) {
         auto at = [&](float radius, float x, int n) {
             const SinCos turn = sin_cos(2 * k_pi * static_cast<float>(n % k_sides) / k_sides);
-            return Vec3{x, radius * turn.sine, radius * turn.cosine};
+            return Vec3{x, -radius * turn.sine, radius * turn.cosine};
         };
         const float r = w.radius, in = r - 0.045f;
         add_quad(mesh, at(r, k_half, k), at(r, -k_half, k), at(r, -k_half, k + 1), at(r, k_half, k + 1),

@@ -32,6 +32,7 @@ struct Guide {
     uint32_t tick;
     uint64_t seed;
     Group& g;
+    bool looks;  // about it
 
     uint32_t member(uint32_t k) const { return g.members[k].index; }
     uint32_t leader() const { return member(g.leader); }
@@ -110,7 +111,7 @@ void look_about(Guide& d) {
 Shape choose_shape(Guide& d) {
     constexpr float k_margin = 0.2f, k_dear = 3, k_keeps = 0.6f;  // metres
     constexpr float k_thin = 0.6f, k_dense = 1.2f;                // strangers to a square metre
-    constexpr float k_narrows = 1 / 15.0f, k_widens = 1 / 30.0f;  // in a decision
+    constexpr float k_narrows = 2 / 15.0f, k_widens = 1 / 15.0f;  // in two decisions
     Group& g = d.g;
     const Shape shapes[] = {walking_shape(g, d.company.bearings, 0, false),
                             walking_shape(g, d.company.bearings, 0, true)};
@@ -210,7 +211,9 @@ void walk(Guide& d) {
     const float speed = length(velocity);
     const bool at_kerb = waits_at_kerb(d.c.kerbs, lead) && speed < k_goes;
     turn(d, at_kerb ? faces_over(d.c.kerbs, lead) : speed > k_goes ? velocity / speed : Vec2{});
-    const Shape shape = choose_shape(d);
+    // The room beside is looked at every other time.
+    const Shape shape =
+        d.looks ? choose_shape(d) : walking_shape(d.g, d.company.bearings, d.g.narrow, d.g.mirrored != 0);
     d.c.fellows[lead].facing = {};
     float behind = 0;
     bool is_parted = false;
@@ -312,10 +315,9 @@ void stand(Guide& d) {
 }
 
 void guide_group(Guide& d) {
-    constexpr uint32_t k_looks = 8;  // ticks
     const uint32_t lead = d.leader();
     if (d.g.does == Together::parts || d.g.does == Together::meets) return;
-    if (d.tick % k_looks < k_decision_ticks) look_about(d);
+    if (d.looks) look_about(d);
     const Journey& j = d.c.journeys[lead];
     const bool pauses = j.arrived && d.tick < j.pause_until;
     if (pauses && (d.g.does != Together::walks || length(d.c.motion.velocity[lead]) < k_goes))
@@ -407,7 +409,8 @@ void guide(Company& company, Crowd& c, const Navmesh& mesh, Workers& workers, st
             Group& g = company.groups[n];
             // Before who leads decides.
             if (g.count == 0 || !decides(c, g.members[g.leader].index / k_block, tick + 1)) continue;
-            Guide d{company, c, mesh, folk, thread, tick, seed, g};
+            const bool looks = tick % (2 * k_decision_ticks) < k_decision_ticks;
+            Guide d{company, c, mesh, folk, thread, tick, seed, g, looks};
             guide_group(d);
             look_at_each_other(company, c, g, tick, seed);
         }

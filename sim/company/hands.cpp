@@ -110,7 +110,7 @@ bool has_hand_for(const Gait& gait, uint32_t i, Side side) {
 }
 
 // Whether they are so beside each other that hands meet, and go on to.
-bool can_hold(const Holding& h, Side child_side, bool held) {
+bool can_hold(const Holding& h, Side child_side, Side adult_side, bool held) {
     const Crowd& c = h.c;
     constexpr float k_nearest = 0.3f, k_farthest = 0.66f, k_still = 0.8f, k_beside = 0.35f, k_level = 0.35f;
     const Vec3 off = c.motion.position[h.adult] - c.motion.position[h.child];
@@ -118,14 +118,13 @@ bool can_hold(const Holding& h, Side child_side, bool held) {
     if (is_down(c, h.child) || is_down(c, h.adult) || passage_of(c, h.child) || passage_of(c, h.adult) ||
         own_of(c.called, h.child) || own_of(c.called, h.adult))
         return false;
-    const Side adult_side = side_of(c, h.adult, h.child);
     if (!has_hand_for(h.gait, h.child, child_side) || !has_hand_for(h.gait, h.adult, adult_side))
         return false;
     const float turned = std::fabs(wrap_angle(c.motion.heading[h.child] - c.motion.heading[h.adult]));
     const Vec2 ahead = heading_direction(c.motion.heading[h.adult]);
     const float on = std::fabs(dot(on_ground(off), ahead));
-    return side_of(c, h.child, h.adult) == child_side && far > k_nearest &&
-           far < (held ? k_still : k_farthest) && turned < (held ? 1.3f : 0.8f) &&
+    return side_of(c, h.child, h.adult) == child_side && side_of(c, h.adult, h.child) == adult_side &&
+           far > k_nearest && far < (held ? k_still : k_farthest) && turned < (held ? 1.3f : 0.8f) &&
            on < (held ? 1.5f : 1.0f) * k_beside && std::fabs(off.y) < k_level;
 }
 
@@ -154,8 +153,8 @@ Vec3 meeting_place(const Holding& h, Vec3 adult_shoulder, Vec3 child_shoulder, V
     return meets;
 }
 
-void put_hands_together(const Holding& h, Side child_side, float share, std::vector<PoseBlock>& poses) {
-    const Side adult_side = side_of(h.c, h.adult, h.child);
+void put_hands_together(const Holding& h, Side child_side, Side adult_side, float share,
+                        std::vector<PoseBlock>& poses) {
     BodyPose adult = body_pose_of(poses, h.adult), child = body_pose_of(poses, h.child);
     const Someone grown = h.of(h.adult), small = h.of(h.child);
     const ArmPlaces of_adult = arm_places(adult, grown.person, grown.lane, adult_side),
@@ -183,12 +182,15 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
     Bearing& b = company.bearings[i];
     const Holding h{c, gait, i, b.holds};
     const bool together = is_seen(c, group, i) && is_seen(c, group, b.holds);
-    if (b.grip <= 0) b.holds_side = side_of(c, i, b.holds);
-    const auto side = static_cast<Side>(b.holds_side);
-    const bool holds = together && can_hold(h, side, b.grip > 0);
+    // Of both, so that neither changes hands while they hold.
+    if (b.grip <= 0)
+        b.holds_side = static_cast<uint32_t>(side_of(c, i, b.holds)) |
+                       static_cast<uint32_t>(side_of(c, b.holds, i)) << 1;
+    const auto own = static_cast<Side>(b.holds_side & 1), others = static_cast<Side>(b.holds_side >> 1);
+    const bool holds = together && can_hold(h, own, others, b.grip > 0);
     b.grip = clamp(b.grip + (holds ? k_takes : -k_lets_go), 0, 1);
     if (b.grip > 0 && together && !is_down(c, i) && !is_down(c, b.holds))
-        put_hands_together(h, side, smoothstep(0, 1, b.grip), poses);
+        put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses);
 }
 
 // Right hands of two who greet each other, whose arms are bent.

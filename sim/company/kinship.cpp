@@ -180,7 +180,10 @@ void leave_group(Company& company, Crowd& c, Group& g, uint32_t member, std::spa
     }
     if (g.count + g.expects < 2 || g.count == 0) return end_group(company, c, g, folk);
     if (g.speaker >= g.count) g.speech = Speech::silence, g.speaker = 0;
-    if (!led) return;
+    if (!led || g.does == Together::meets) {
+        if (led) g.leader = 0;
+        return;
+    }
     // The oldest leads from now on.
     g.leader = 0;
     for (uint32_t k = 1; k < g.count; ++k)

@@ -42,8 +42,13 @@ float bend_speed(const Lanes& lanes, uint32_t lane, float metres) {
 }
 
 void settle_lanes(Lanes& lanes, const Ground& ground) {
-    for (Vec3& place : lanes.places)
-        if (const auto hit = ground_at(ground, at_height(on_ground(place), 0), 60, 60)) place.y = hit->height;
+    constexpr float k_reach = 60, k_headroom = 2;  // metres
+    for (Vec3& place : lanes.places) {
+        auto hit = ground_at(ground, at_height(on_ground(place), 0), k_reach, k_reach);
+        // Below bridges.
+        for (; hit; hit = ground_at(ground, at_height(on_ground(place), place.y - k_headroom), 0, k_reach))
+            place.y = hit->height;
+    }
 }
 
 }  // namespace flaneur

@@ -47,6 +47,8 @@ std::string told_pastime(const Pastimes& all, uint32_t walker, uint32_t tick) {
         told = k_coming[what];
     else if (what == static_cast<size_t>(Staying::queues))
         told = told_line(all, *p);
+    else if (p->what == Staying::sits && what != 0 && all.places.seats[p->place].has_back == 0)
+        told = "sits on the rim of a fountain";
     else
         told = k_words[what];
     if (told.empty()) return std::string(k_phone_alone[phone]);

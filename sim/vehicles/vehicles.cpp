@@ -121,7 +121,7 @@ void set_somewhere(Vehicles& vs, const Crowd& c, uint32_t number, const std::vec
 
 // In by a gate, where there is room; returns whether it did.
 bool come_in(Vehicles& vs, const Crowd& c, uint32_t number, uint32_t tick, uint64_t seed) {
-    constexpr float k_room = 9;  // metres ahead
+    constexpr float k_room = 9, k_brakes = 2;  // metres ahead; m/s2
     const Lanes& lanes = vs.map->lanes;
     Vehicle& v = vs.all[number];
     const uint32_t gate = vs.gates[random_bits(key_of(seed, number, tick), 1) % vs.gates.size()];
@@ -134,7 +134,9 @@ bool come_in(Vehicles& vs, const Crowd& c, uint32_t number, uint32_t tick, uint6
         v.route[k_here] = k_no_lane;
         return false;
     }
-    v.speed = std::min({k_comes_at, shape_of(v).fastest * 0.8f, lanes.all[gate].speed});
+    // So that it can stop before what comes next.
+    const float stops = std::sqrt(2 * k_brakes * std::max(lanes.all[gate].stop - v.metres, 0.0f));
+    v.speed = std::min({k_comes_at, shape_of(v).fastest * 0.8f, lanes.all[gate].speed, stops});
     vs.places[number] = vs.previous[number] = place_of(lanes, v);
     return true;
 }

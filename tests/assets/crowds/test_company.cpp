@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "assets/cities.h"
-#include "assets/people/population.h"
+#include "assets/population.h"
 #include "sim/base/math.h"
 #include "sim/deeds/bend.h"
 #include "sim/state.h"
@@ -76,11 +76,8 @@ TEST(Company, WalksAsPeopleDo) {
                 const Bearing& b = w.company.bearings[i];
                 if (b.holds != k_nobody) ++hold_ticks;
                 if (b.holds != k_nobody && b.grip >= 1) {
-                    const Vec2 ahead = heading_direction(w.crowd.motion.heading[b.holds]);
-                    const Vec2 to = on_ground(w.crowd.motion.position[i] - w.crowd.motion.position[b.holds]);
-                    const Side side = dot(to, Vec2{ahead.z, -ahead.x}) > 0 ? k_left : k_right;
-                    const float off =
-                        length(touch(w, i, static_cast<Side>(b.holds_side)) - touch(w, b.holds, side));
+                    const float off = length(touch(w, i, static_cast<Side>(b.holds_side & 1)) -
+                                             touch(w, b.holds, static_cast<Side>(b.holds_side >> 1)));
                     worst_grip = std::max(worst_grip, off), grip_sum += off, ++grips;
                 }
                 const Group* g = group_of(w.company, w.crowd, i);

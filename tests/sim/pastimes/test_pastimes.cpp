@@ -119,9 +119,16 @@ float fastest_leg(const World& w, uint32_t walker) {
     return most;
 }
 
-void watch(World& w, uint32_t ticks, Seen& seen) {
-    std::vector<Staying> was(w.crowd.count, Staying::nowhere);
-    std::vector<Vec3> stood(w.crowd.count);
+// What each did, and where who sits stood before, a tick earlier.
+struct Earlier {
+    std::vector<Staying> was;
+    std::vector<Vec3> stood;
+};
+
+void watch(World& w, uint32_t ticks, Seen& seen, Earlier& earlier) {
+    auto& [was, stood] = earlier;
+    was.resize(w.crowd.count, Staying::nowhere);
+    stood.resize(w.crowd.count);
     for (uint32_t t = 0; t < ticks; ++t) {
         step(w);
         std::vector<uint32_t> on_seat(w.pastimes->places.seats.size(), 0);
@@ -169,7 +176,8 @@ TEST(Pastimes, WhoSitsIsOnTheSeatAndNobodyElseIs) {
     Seen seen;
     for (const uint64_t seed : {1u, 2u, 3u}) {
         auto world = made(k_all, seed);
-        watch(*world, 4800, seen);
+        Earlier earlier;
+        watch(*world, 4800, seen, earlier);
     }
     std::printf(
         "%u sat, %u leant, %u looked, %u glanced, %u lined up, %u took pictures; off seats %.1f mm, off "
@@ -216,6 +224,47 @@ TEST(Pastimes, WhoTextsIsSlowerAndLooksDown) {
     // 15 .. 30 % slower (Lamberg & Muratori 2012).
     EXPECT_GT(texting / usual, 0.7);
     EXPECT_LT(texting / usual, 0.85);
+}
+
+TEST(PastimesLong, TenMinutesKeepToTheSharesAndNobodyIsStuck) {
+    Seen seen;
+    uint32_t stuck = 0, late = 0;
+    float shortest = 1e9f, longest = 0;
+    for (const uint64_t seed : {1u, 2u}) {
+        auto world = made({1, 0.5f, 0.2f, 1, 0.1f}, seed);
+        Earlier earlier;
+        for (int minute = 0; minute < 60; ++minute) {
+            watch(*world, 600, seen, earlier);
+            for (const WalkerId id : world->crowd.slots.living) {
+                const Journey& j = world->crowd.journeys[id.index];
+                const bool waits = world->tick < j.pause_until || j.path_due != PathDue::no;
+                stuck += !waits && world->tick - j.closest_tick > 25 * 60;
+            }
+            for (const Pastime& p : world->pastimes->all)
+                late += p.phase == StayPhase::comes && p.what != Staying::queues &&
+                        world->tick - p.began > 16 * 60;
+            for (const Pastime& p : world->pastimes->all) {
+                if (p.what != Staying::sits || p.phase != StayPhase::stays) continue;
+                const float stays = static_cast<float>(p.until - p.began) * k_tick;
+                const float usual = stays / world->crowd.identity.linger[p.walker];
+                shortest = std::min(shortest, usual), longest = std::max(longest, usual);
+            }
+        }
+    }
+    const double phones = static_cast<double>(seen.phone_ticks) / static_cast<double>(seen.ticks);
+    std::printf(
+        "%u sat for %.0f to %.0f s, %u leant, %u looked, %u glanced, %u lined up, %u took pictures; phones "
+        "%.1f %%\n",
+        seen.sat, wide(shortest), wide(longest), seen.leant, seen.looked, seen.glanced, seen.queued,
+        seen.photographed, 100 * phones);
+    EXPECT_EQ(stuck, 0u);
+    EXPECT_EQ(late, 0u);
+    EXPECT_GT(shortest, 105);
+    EXPECT_LT(longest, 910);
+    EXPECT_LT(seen.off_seat, 0.02f);
+    EXPECT_GT(phones, 0.12);
+    EXPECT_LT(phones, 0.28);
+    EXPECT_GT(seen.glanced, 2 * seen.looked);
 }
 
 }  // namespace

@@ -197,7 +197,9 @@ bool is_reached(const Navmesh& mesh, NavPoint from, NavPoint to) {
 
 }  // namespace
 
-bool is_met(const Finding& f) { return f.at_least ? f.value >= f.bar : f.value <= f.bar; }
+bool is_met(const Finding& f) {
+    return (f.at_least ? f.value >= f.bar : f.value <= f.bar) && (!f.most || f.value <= *f.most);
+}
 
 Finding check_buildings(const City& city, const Navmesh& mesh) {
     Finding finding{"places inside buildings", 0, 0, false, {}};
@@ -334,12 +336,15 @@ Result<void> check_city(const Options& options) {
     std::printf("%-36s %10s %10s\n", "", "found", "bar");
     std::vector<std::string> missed;
     for (const Finding& f : findings) {
-        std::printf("%-36s %10.3f %s%8.3f%s\n", f.name.c_str(), f.value, f.at_least ? ">=" : "<=", f.bar,
-                    is_met(f) ? "" : "  MISSED");
+        char most[24] = "";
+        if (f.most) std::snprintf(most, sizeof most, " .. %.3f", *f.most);
+        std::printf("%-36s %10.3f %s%8.3f%s%s\n", f.name.c_str(), f.value, f.at_least ? ">=" : "<=", f.bar,
+                    most, is_met(f) ? "" : "  MISSED");
         for (const std::string& place : f.where) std::printf("    at %s\n", place.c_str());
         if (!is_met(f)) missed.push_back(f.name);
         json["findings"].push_back(
             {{"name", f.name}, {"value", f.value}, {"bar", f.bar}, {"met", is_met(f)}, {"where", f.where}});
+        if (f.most) json["findings"].back()["most"] = *f.most;
     }
     if (*file) {
         if (Result<void> kept = write_file(std::move(*file), json.dump(2) + "\n"); !kept) return kept;

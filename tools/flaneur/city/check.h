@@ -1,6 +1,7 @@
 // Whether people can live in a city: what `flaneur city --check` measures.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Finding {
     double bar = 0;
     bool at_least = false;           // the value has to be the bar or more; else the bar or less
     std::vector<std::string> where;  // the first few places that count against it, and why
+    std::optional<double> most{};    // of a band from the bar on
 };
 bool is_met(const Finding& finding);
 
@@ -31,9 +33,10 @@ std::vector<Finding> check_drawn(const City& city, const Navmesh& mesh);
 // share that the mesh has a way for, in percent.
 Finding check_paths(const City& city, const Navmesh& mesh);
 
-// A world's walkers, of all its kinds, for so long, but for their bodies: who was in a wall, off the ground,
-// or stuck for a minute (where they walk for longer), who waits outside for room to come in instead of
-// others, and how much of their walking was on roadways more than 3 m from a crossing.
+// A world's walkers, of all its kinds, for so long, but for their bodies where nothing else depends on them:
+// who was in a wall, off the ground, or stuck for a minute (where they walk for longer), who waits outside
+// for room to come in instead of others, and how much of their walking was on roadways more than 3 m from a
+// crossing.
 Result<std::vector<Finding>> check_crowd(World& world, const City& city, double seconds);
 
 // All of it for the scene's city; prints a table and fails if a bar is missed. Writes the figures to

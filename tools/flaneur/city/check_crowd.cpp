@@ -3,7 +3,10 @@
 #include <cstdio>
 
 #include "sim/base/math.h"
+#include "sim/base/spans.h"
+#include "sim/pastimes/pastimes.h"
 #include "tools/flaneur/city/check.h"
+#include "tools/flaneur/city/check_life.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 
@@ -37,6 +40,13 @@ bool is_by_crossing(const City& city, Vec3 p) {
         }
     }
     return false;
+}
+
+// Whether one stands or sits where it is because it wants to, with others, at a bench, before who plays.
+bool stays(const World& w, uint32_t i) {
+    if (is_staying(*w.pastimes, i) || own_of(w.crowd.called, i)) return true;
+    const Group* group = group_of(w.company, w.crowd, i);
+    return group && group->does != Together::walks;
 }
 
 // Why one does not get on.
@@ -73,16 +83,24 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
                       static_cast<double>(p.y), static_cast<double>(p.z), why.c_str());
         finding.where.emplace_back(text);
     };
+    const bool lives = is_lively(world);
+    LifeTally tally;
     size_t walking = 0, roads = 0;
     auto ticks = static_cast<uint32_t>(seconds / static_cast<double>(k_tick));
     for (uint32_t tick = 0; tick < ticks; ++tick) {
-        come_and_go(coming, c, world.around, *world.navmesh, *world.workers, world.folk, tick, world.seed);
+        if (lives) {
+            step(world);
+        } else {
+            come_and_go(coming, c, world.around, *world.navmesh, *world.workers, world.folk, tick,
+                        world.seed);
+            step_crowd(c, world.around, *world.navmesh, *world.workers, tick, world.seed);
+        }
         for (const uint32_t i : coming.arrivals)
             watches[i] = {.anchor = on_ground(c.motion.position[i]), .since = tick};
-        step_crowd(c, world.around, *world.navmesh, *world.workers, tick, world.seed);
         if (is_stopping()) return interrupted();
         overlap.value = std::max(overlap.value, static_cast<double>(deepest_overlap(c)));
         if (tick % k_look_ticks != 0) continue;
+        if (lives) look_at_life(world, tally);
         if (tick % 600 == 0) show_progress("walking " + std::to_string(tick / 60) + " s");
         for (uint32_t i = 0; i < c.count; ++i) {
             if (!is_there(c, i) || is_led(c, i)) continue;  // nobody leads them here
@@ -94,7 +112,8 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
                 count(watch.lost, lost, i, under ? "in the air" : "no ground");
             if (!passes && closest_wall(city.ground, p + Vec3{0, 1, 0}, k_wall))
                 count(watch.in_wall, in_wall, i, "");
-            if (tick < c.journeys[i].pause_until || length(on_ground(p) - watch.anchor) > k_still) {
+            if (tick < c.journeys[i].pause_until || stays(world, i) ||
+                length(on_ground(p) - watch.anchor) > k_still) {
                 watch.anchor = on_ground(p);
                 watch.since = tick;
             }
@@ -117,6 +136,8 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
     std::vector<Finding> findings{in_wall, lost, on_road, overlap};
     if (comes_and_goes(coming, c)) findings.push_back(outside);
     if (ticks > k_stuck_ticks) findings.insert(findings.begin() + 2, stuck);  // else nobody could be
+    if (lives)
+        for (Finding& f : life_findings(world, tally)) findings.push_back(std::move(f));
     return findings;
 }
 

@@ -1,5 +1,7 @@
 #include "tools/flaneur/window/change/life.h"
 
+#include <algorithm>
+
 #include "sim/alongside/alongside.h"
 #include "sim/pastimes/pastimes.h"
 #include "sim/stepping.h"
@@ -55,6 +57,33 @@ void lay_out_pastimes(Show& show, Viewer& v, float scale) {
         }
         tip(slider.tip);
     }
+}
+
+// How many are in groups of those who come in; and another number, of which as many are in pairs, threes and
+// fours as before.
+static float grouped_share(const GroupShares& shares) {
+    const float grouped = shares[1] + shares[2] + shares[3];
+    return grouped / std::max(grouped + shares[0], 1e-6f);
+}
+static GroupShares with_grouped(const GroupShares& shares, float share) {
+    const GroupShares& usual = has_groups(shares) ? shares : k_usual_groups;
+    const float grouped = usual[1] + usual[2] + usual[3];
+    return {1 - share, share * usual[1] / grouped, share * usual[2] / grouped, share * usual[3] / grouped};
+}
+
+void lay_out_company(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    if (!is_on(world.company)) return;
+    if (float share = grouped_share(world.company.shares); slide_share("in groups", share, scale)) {
+        world.company.shares = with_grouped(world.company.shares, share);
+        changed_by_hand(v.time, world);
+    }
+    tip("of those who come in through doors and at the map's edges: they walk, stop and talk together");
+    if (float share = world.company.acquaintances; slide_share("acquaintances", share, scale)) {
+        world.company.acquaintances = share;
+        changed_by_hand(v.time, world);
+    }
+    tip("how likely two who come towards each other know each other, greet and stop to talk");
 }
 
 void lay_out_alongside(Show& show, Viewer& v, float scale) {

@@ -12,6 +12,8 @@ void lay_out_lamps(Show& show, Viewer& viewer, float scale);
 void lay_out_traffic(Show& show, Viewer& viewer, float scale);
 // how many sit, lean, use phones, look into windows and line up;
 void lay_out_pastimes(Show& show, Viewer& viewer, float scale);
+// how many of those who come in are in groups, and how many know each other;
+void lay_out_company(Show& show, Viewer& viewer, float scale);
 // how many walk dogs, go in wheelchairs and so on.
 void lay_out_alongside(Show& show, Viewer& viewer, float scale);
 

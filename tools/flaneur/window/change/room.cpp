@@ -366,6 +366,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_course(show, v);
     lay_out_drink(show, v, scale);
     lay_out_lamps(show, v, scale);
+    lay_out_company(show, v, scale);
     lay_out_alongside(show, v, scale);
     lay_out_pastimes(show, v, scale);
     lay_out_traffic(show, v, scale);
