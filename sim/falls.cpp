@@ -361,7 +361,7 @@ void step_cane(World& w, const Fall& f) {
     drag_rod(*rod, w.around, lerp(rod->grip, palm, t * t));
     if (f.stage < RiseStage::stand) return turn_rod(*rod, was);
     const Vec3 way = nlerp_way(rod->tip - rod->grip, tip - palm, smoothstep(0, 1, f.share));
-    rod->tip = rod->grip + way * rod->length;
+    point_rod(*rod, w.around, way);
     turn_rod(*rod, was);
     rod->turn = nlerp(rod->turn, hand.rotation, smoothstep(0, 1, f.share));
 }

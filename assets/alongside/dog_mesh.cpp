@@ -278,7 +278,7 @@ std::vector<ThingMesh> make_dog_meshes(Breed breed) {
         for (const Vec3 p : cut.positions) {
             ThingVertex v;
             v.position = p;
-            parts_near(field, p, .02f, near);
+            parts_near(field, p, .06f, near);  // as far as parts grow into each other
             v.normal = normalize_or(gradient(field, near, p), {0, 1, 0});
             bind(bones, v);
             mesh.vertices.push_back(v);

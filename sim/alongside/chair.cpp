@@ -140,9 +140,11 @@ void sit_in_chair(const World& w, const Chair& c, BodyPose& pose) {
         pose.rotation[j] = chair.turn * rotation_x(leans);
     pose.rotation[neck] = pose.rotation[upper_chest] * nlerp({}, neck_turn, 0.7f) * rotation_x(-0.4f * leans);
     pose.rotation[head] = pose.rotation[upper_chest] * looks * rotation_x(-0.8f * leans);
-    for (int j : {int(left_upper_arm), int(left_lower_arm), int(left_hand), int(right_upper_arm),
-                  int(right_lower_arm), int(right_hand)})
-        pose.rotation[j] = chair.turn * rotation_x(0.3f);
+    // Bent at first, so that it is known to which side elbows bend.
+    for (const int arm : {int(left_upper_arm), int(right_upper_arm)}) {
+        pose.rotation[arm] = chair.turn * rotation_x(0.5f);
+        pose.rotation[arm + 1] = pose.rotation[arm + 2] = chair.turn * rotation_x(-0.7f);
+    }
     for (const Side side : {k_left, k_right}) {
         const float out = side == k_left ? 1.0f : -1.0f;
         const int thigh = side == k_left ? left_upper_leg : right_upper_leg;

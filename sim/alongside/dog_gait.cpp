@@ -68,7 +68,7 @@ Vec3 landing_of(const Dog& dog, int leg, float seconds, float stance, const Surr
 }
 
 // The pad on its way: over the higher end and what lies between.
-void swing(DogFoot& foot, float lift) {
+void swing(DogFoot& foot, float lift, const Surroundings& around) {
     const float t = smoothstep(0, 1, foot.share), up = foot.share;
     Vec3 at = lerp(foot.from, foot.to, t);
     const float climbs = std::max(foot.to.y - foot.from.y, 0.0f),
@@ -76,6 +76,9 @@ void swing(DogFoot& foot, float lift) {
     // It rises before it goes ahead over an edge, and comes down behind one.
     at.y = foot.from.y + (climbs > 0 ? climbs * smoothstep(0, 0.55f, up) : -falls * smoothstep(0.45f, 1, up));
     at.y += (lift + 0.35f * std::max(climbs, falls)) * 4 * up * (1 - up);
+    // Over what is there, and is in a moment.
+    const Vec3 soon = lerp(foot.from, foot.to, smoothstep(0, 1, std::min(up + 0.12f, 1.0f)));
+    for (const Vec3 over : {at, soon}) at.y = std::max(at.y, on_the_ground(around, on_ground(over), at.y).y);
     foot.at = at;
 }
 
@@ -154,7 +157,7 @@ void stride_on(Dog& dog, const Rhythm& rhythm, const Surroundings& around, float
         if (foot.share >= 1)
             foot.at = foot.to;
         else
-            swing(foot, lift);
+            swing(foot, lift, around);
     }
 }
 
@@ -169,7 +172,7 @@ void shift_feet(Dog& dog, const Surroundings& around, float dt) {
         if (foot.share >= 1)
             foot.at = foot.to;
         else
-            swing(foot, lift);
+            swing(foot, lift, around);
     }
     if (is_any) return;
     int worst = -1;

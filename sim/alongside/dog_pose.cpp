@@ -206,7 +206,7 @@ void pose_leg(const Dog& dog, DogPose& pose, const Trunk& t, int leg) {
     auto lean = [&](Vec3 v) { return arctan2(dot(v, t.ahead), std::max(v.y, 0.01f * w)); };
     const float rest_lean = arctan2(rest[0].z - rest[3].z, rest[0].y);
     const float paw_lean = arctan2(rest[2].z - rest[3].z, rest[2].y);
-    const float up = foot.share >= 1 ? 0 : sin_cos(k_pi * std::sqrt(foot.share)).sine;
+    const float up = foot.share >= 1 ? 0 : sin_cos(k_pi * foot.share).sine;
     const float lies =
         hind ? lerp(0, -1.0f, smoothstep(0, 1, dog.sits)) : 0;  // of who sits, down on the hocks
     float leans = paw_lean +
@@ -218,6 +218,8 @@ void pose_leg(const Dog& dog, DogPose& pose, const Trunk& t, int leg) {
     const Vec3 stem =
         normalize_or(t.ahead * tilt.sine + Vec3{0, tilt.cosine, 0} + t.left * (0.7f * aside), {0, 1, 0});
     Vec3 wrist = pad + stem * c;
+    // A pad that is lifted onto a high step is drawn as near below the body as the leg folds.
+    wrist.y = std::min(wrist.y, root.y - 0.24f * w);
     const float most = 0.995f * (a + b), least = std::fabs(a - b) + 0.02f * w;
     float far = length(wrist - root);
     if (far > most) {

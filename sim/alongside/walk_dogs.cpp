@@ -265,6 +265,10 @@ void walk_dog(const World& w, Dog& dog, int thread) {
     steer_dog(dog, wish);
     Vec2 to = from + dog.velocity * k_tick;
     to = on_lead(w, out_of_bodies(w, dog, to), i);
+    // Whoever comes into its way, it gets out of there as fast as it runs.
+    const Vec2 gone = to - from;
+    const float far = length(gone), most = 1.3f * k_quickest * k_tick;
+    if (far > most) to = from + gone * (most / far);
     const NavPoint end =
         move_along(*w.navmesh, thread, {dog.position, dog.polygon}, at_height(to, dog.position.y));
     dog.polygon = end.polygon;

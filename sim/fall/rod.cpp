@@ -36,7 +36,21 @@ void keep_above(const Surroundings& around, Vec3& end, Vec3 before) {
     end.y = floor;
 }
 
+void lay_tip(LooseRod& rod, Vec3 tip) {
+    // Where the ground pushes it up it is as long as ever.
+    const Vec3 grip = rod.grip;
+    const float down = clamp(grip.y - tip.y, -rod.length, rod.length);
+    const Vec2 way = normalize_or(on_ground(tip - grip), {0, 1});
+    rod.tip = grip + at_height(way * std::sqrt(std::max(rod.length * rod.length - down * down, 0.0f)), -down);
+}
+
 }  // namespace
+
+void point_rod(LooseRod& rod, const Surroundings& around, Vec3 way) {
+    Vec3 tip = rod.grip + way * rod.length;
+    tip.y = std::max(tip.y, ground_below(around, tip));
+    lay_tip(rod, tip);
+}
 
 void turn_rod(LooseRod& rod, Vec3 was) {
     const Vec3 from = normalize_or(was, {0, -1, 0}), to = normalize_or(rod.tip - rod.grip, from);
@@ -70,10 +84,7 @@ void drag_rod(LooseRod& rod, const Surroundings& around, Vec3 grip) {
         tip = grip + normalize_or(tip - grip, {0, -1, 0}) * rod.length;
         tip.y = std::max(tip.y, ground_below(around, tip));
     }
-    // Where the ground pushes it up it is as long as ever.
-    const float down = clamp(grip.y - tip.y, -rod.length, rod.length);
-    const Vec2 way = normalize_or(on_ground(tip - grip), {0, 1});
-    rod.tip = grip + at_height(way * std::sqrt(std::max(rod.length * rod.length - down * down, 0.0f)), -down);
+    lay_tip(rod, tip);
 }
 
 }  // namespace flaneur

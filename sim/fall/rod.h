@@ -30,5 +30,7 @@ inline constexpr float k_rod_thick = 0.011f;  // metres, half of it
 void step_rod(LooseRod& rod, const Surroundings& around, float dt);
 // A tick of one whose grip is brought to `grip`: its tip trails after it over the ground.
 void drag_rod(LooseRod& rod, const Surroundings& around, Vec3 grip);
+// Turns its tip there, unit, but not into the ground.
+void point_rod(LooseRod& rod, const Surroundings& around, Vec3 way);
 
 }  // namespace flaneur
