@@ -32,7 +32,6 @@ struct Guide {
     uint32_t tick;
     uint64_t seed;
     Group& g;
-    bool looks;  // about it
 
     uint32_t member(uint32_t k) const { return g.members[k].index; }
     uint32_t leader() const { return member(g.leader); }
@@ -80,7 +79,7 @@ float room_beside(const Guide& d, Vec2 side, float most) {
 
 // Which way they go, without a swing round of all where who leads turns back.
 void turn(Guide& d, Vec2 way) {
-    constexpr float k_share = 0.25f, k_back = -0.3f;
+    constexpr float k_share = 0.44f, k_back = -0.3f;
     if (way == Vec2{}) return;
     if (dot(way, d.g.ahead) < k_back) {
         d.g.ahead = way;
@@ -111,7 +110,7 @@ void look_about(Guide& d) {
 Shape choose_shape(Guide& d) {
     constexpr float k_margin = 0.2f, k_dear = 3, k_keeps = 0.6f;  // metres
     constexpr float k_thin = 0.6f, k_dense = 1.2f;                // strangers to a square metre
-    constexpr float k_narrows = 2 / 15.0f, k_widens = 1 / 15.0f;  // in two decisions
+    constexpr float k_narrows = 2 / 15.0f, k_widens = 1 / 15.0f;  // each time
     Group& g = d.g;
     const Shape shapes[] = {walking_shape(g, d.company.bearings, 0, false),
                             walking_shape(g, d.company.bearings, 0, true)};
@@ -211,9 +210,7 @@ void walk(Guide& d) {
     const float speed = length(velocity);
     const bool at_kerb = waits_at_kerb(d.c.kerbs, lead) && speed < k_goes;
     turn(d, at_kerb ? faces_over(d.c.kerbs, lead) : speed > k_goes ? velocity / speed : Vec2{});
-    // The room beside is looked at every other time.
-    const Shape shape =
-        d.looks ? choose_shape(d) : walking_shape(d.g, d.company.bearings, d.g.narrow, d.g.mirrored != 0);
+    const Shape shape = choose_shape(d);
     d.c.fellows[lead].facing = {};
     float behind = 0;
     bool is_parted = false;
@@ -317,7 +314,7 @@ void stand(Guide& d) {
 void guide_group(Guide& d) {
     const uint32_t lead = d.leader();
     if (d.g.does == Together::parts || d.g.does == Together::meets) return;
-    if (d.looks) look_about(d);
+    look_about(d);
     const Journey& j = d.c.journeys[lead];
     const bool pauses = j.arrived && d.tick < j.pause_until;
     if (pauses && (d.g.does != Together::walks || length(d.c.motion.velocity[lead]) < k_goes))
@@ -409,9 +406,11 @@ void guide(Company& company, Crowd& c, const Navmesh& mesh, Workers& workers, st
             Group& g = company.groups[n];
             // Before who leads decides.
             if (g.count == 0 || !decides(c, g.members[g.leader].index / k_block, tick + 1)) continue;
-            const bool looks = tick % (2 * k_decision_ticks) < k_decision_ticks;
-            Guide d{company, c, mesh, folk, thread, tick, seed, g, looks};
-            guide_group(d);
+            // At every other decision; between them places move on.
+            if (tick % (2 * k_decision_ticks) < k_decision_ticks) {
+                Guide d{company, c, mesh, folk, thread, tick, seed, g};
+                guide_group(d);
+            }
             look_at_each_other(company, c, g, tick, seed);
         }
     });

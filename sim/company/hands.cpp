@@ -56,6 +56,10 @@ void move_hands(const Company& company, const Group& group, const Crowd& c, Gait
     if (p.postures[0][lane] == 0) return;
     const bool in_hand = holds_a_hand(company, group, i);
     if (in_hand) let_hands_hang(g, lane, tick);
+    const bool may_tell = greets || (group.speech == Speech::speech && group.speaker == member);
+    const bool tells_now = is_ours(g.holds[k_left].kind[lane]) || is_ours(g.holds[k_right].kind[lane]) ||
+                           is_ours(g.holds[k_left].wanted[lane]) || is_ours(g.holds[k_right].wanted[lane]);
+    if (!may_tell && !tells_now) return;
     for (const Side side : {k_left, k_right}) {
         HoldBlock& hold = g.holds[side];
         const bool is_free = (p.free_hands[lane] & 1 << side) != 0 && g.hands[side].reach[lane] == 0;
@@ -112,7 +116,7 @@ bool has_hand_for(const Gait& gait, uint32_t i, Side side) {
 // Whether they are so beside each other that hands meet, and go on to.
 bool can_hold(const Holding& h, Side child_side, Side adult_side, bool held) {
     const Crowd& c = h.c;
-    constexpr float k_nearest = 0.3f, k_farthest = 0.66f, k_still = 0.8f, k_beside = 0.35f, k_level = 0.35f;
+    constexpr float k_nearest = 0.3f, k_farthest = 0.75f, k_still = 0.88f, k_beside = 0.35f, k_level = 0.35f;
     const Vec3 off = c.motion.position[h.adult] - c.motion.position[h.child];
     const float far = length(on_ground(off));
     if (is_down(c, h.child) || is_down(c, h.adult) || passage_of(c, h.child) || passage_of(c, h.adult) ||
@@ -132,18 +136,21 @@ bool can_hold(const Holding& h, Side child_side, Side adult_side, bool held) {
 // reach of both.
 Vec3 meeting_place(const Holding& h, Vec3 adult_shoulder, Vec3 child_shoulder, Vec3 adult_palm,
                    Vec3 child_palm) {
-    constexpr float k_hangs = 0.93f, k_raised = 0.12f, k_to_child = 0.5f, k_swing = 0.3f, k_ahead = 0.05f;
+    constexpr float k_hangs = 0.94f, k_midway = 0.5f, k_near_adult = 0.22f, k_taller = 0.4f;
+    constexpr float k_swing = 0.3f, k_ahead = 0.05f;
     const float adult_reach = reach_of_arm(h.of(h.adult).person, lane_of(h.adult)),
                 child_reach = reach_of_arm(h.of(h.child).person, lane_of(h.child));
     const Vec2 ahead = heading_direction(h.c.motion.heading[h.adult]);
     const Vec2 between = on_ground(child_shoulder - adult_shoulder);
     const float swing = 0.5f * (dot(on_ground(adult_palm - adult_shoulder), ahead) +
                                 dot(on_ground(child_palm - child_shoulder), ahead));
-    // Not above the child's shoulder, and as low as the adult's arm lets it.
-    const float low = adult_shoulder.y - k_hangs * adult_reach;
-    const float height = std::max(low, child_shoulder.y - k_hangs * child_reach) + k_raised * child_reach;
-    Vec3 meets = at_height(
-        on_ground(adult_shoulder) + between * k_to_child + ahead * (k_ahead + k_swing * swing), height);
+    // As low as the arm of the taller one hangs, and nearer to that.
+    const float taller = clamp((adult_shoulder.y - child_shoulder.y) / k_taller, 0, 1);
+    const float height =
+        std::max(adult_shoulder.y - k_hangs * adult_reach, child_shoulder.y - k_hangs * child_reach);
+    Vec3 meets = at_height(on_ground(adult_shoulder) + between * lerp(k_midway, k_near_adult, taller) +
+                               ahead * (k_ahead + k_swing * swing),
+                           height);
     for (int pass = 0; pass < 4; ++pass)
         for (const bool of_adult : {true, false}) {
             const Vec3 from = of_adult ? adult_shoulder : child_shoulder;
@@ -153,7 +160,24 @@ Vec3 meeting_place(const Holding& h, Vec3 adult_shoulder, Vec3 child_shoulder, V
     return meets;
 }
 
-void put_hands_together(const Holding& h, Side child_side, Side adult_side, float share,
+// The joints of an arm that has been set anew from its shoulder on.
+void write_arm(std::vector<PoseBlock>& poses, Someone who, uint32_t i, Side side, const BodyPose& pose,
+               Vec3 shoulder) {
+    const int first = side == k_left ? left_upper_arm : right_upper_arm;
+    Posed at{poses[i / k_block], i % k_block};
+    Vec3 place = shoulder - at.origin();
+    for (int j = first; j < first + 3; ++j) {
+        const Quat turn = pose.rotation[static_cast<size_t>(j)];
+        at.set(j, place, turn);
+        if (j == first + 2) break;
+        const auto &from = who.person.joints[j], &to = who.person.joints[j + 1];
+        place += rotate(turn, {to[0][who.lane] - from[0][who.lane], to[1][who.lane] - from[1][who.lane],
+                               to[2][who.lane] - from[2][who.lane]});
+    }
+}
+
+// Whether they have got to each other, where all of `share` is put on it.
+bool put_hands_together(const Holding& h, Side child_side, Side adult_side, float share,
                         std::vector<PoseBlock>& poses) {
     BodyPose adult = body_pose_of(poses, h.adult), child = body_pose_of(poses, h.child);
     const Someone grown = h.of(h.adult), small = h.of(h.child);
@@ -172,8 +196,11 @@ void put_hands_together(const Holding& h, Side child_side, Side adult_side, floa
     auto square = [](Vec3 v, Vec3 to) { return normalize_or(v - to * dot(v, to), {0, 1, 0}); };
     reach_for(adult, grown, adult_side, {meets, square(faces, fingers), fingers}, {0.4f, 0, -1}, share);
     reach_for(child, small, child_side, {meets, square(-faces, childs), childs}, {0.5f, -1, -0.5f}, share);
-    set_body_pose(poses, grown.person, h.adult, adult);
-    set_body_pose(poses, small.person, h.child, child);
+    write_arm(poses, grown, h.adult, adult_side, adult, of_adult.shoulder);
+    write_arm(poses, small, h.child, child_side, child, of_child.shoulder);
+    constexpr float k_touch = 0.008f;  // metres
+    return share < 1 || length(palm_of(adult, grown, adult_side).place -
+                               palm_of(child, small, child_side).place) < k_touch;
 }
 
 void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t group, uint32_t i,
@@ -190,7 +217,7 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
     const bool holds = together && can_hold(h, own, others, b.grip > 0);
     b.grip = clamp(b.grip + (holds ? k_takes : -k_lets_go), 0, 1);
     if (b.grip > 0 && together && !is_down(c, i) && !is_down(c, b.holds))
-        put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses);
+        if (!put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses)) b.grip = 1 - 2 * k_lets_go;
 }
 
 // Right hands of two who greet each other, whose arms are bent.

@@ -82,7 +82,7 @@ void set_stage(Group& g, Encounter stage, uint32_t tick, float seconds) {
 
 void begin_meeting(Company& company, Crowd& c, const Navmesh& mesh, uint32_t a, uint32_t b, uint32_t tick,
                    uint64_t seed) {
-    constexpr float k_sees_for = 1.9f, k_shake = 0.5f;
+    constexpr float k_sees_for = 2.2f, k_shake = 0.5f;
     Group& g = vacant_group(company);
     g.does = Together::meets;
     g.count = 2;

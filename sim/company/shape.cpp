@@ -8,7 +8,7 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_abreast = 0.75f, k_hand_in_hand = 0.5f, k_in_file = 0.95f;  // metres
+constexpr float k_abreast = 0.75f, k_hand_in_hand = 0.58f, k_in_file = 0.95f;  // metres
 constexpr float k_behind_of_three = 0.3f, k_behind_of_four = 0.35f;
 
 bool hold_hands(const Group& group, std::span<const Bearing> bearings, uint32_t a, uint32_t b) {

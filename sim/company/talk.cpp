@@ -145,7 +145,7 @@ bool waves(const Group& g, uint32_t member, uint64_t seed) {
 }
 
 bool gestures(const Group& g, const Crowd& c, uint32_t member, Side side, uint32_t tick, uint64_t seed) {
-    constexpr float k_after = 0.3f, k_before = 0.7f, k_waves = 1.4f;  // seconds
+    constexpr float k_after = 0.3f, k_before = 0.7f, k_waves = 1.9f;  // seconds
     constexpr float k_standing = 0.8f, k_walking = 0.35f, k_other = 0.4f, k_right_handed = 0.7f;
     if (g.does == Together::meets && g.stage == Encounter::sees)
         return side == k_right && waves(g, member, seed) && seconds_since(g.stage_began, tick) < k_waves;
@@ -174,8 +174,8 @@ Vec3 beat_of(const Group& g, Side side, float height, uint32_t tick, uint64_t se
                 large = random_between(key, 0.6f, 1.2f, of + 6);
     const float out = side == k_left ? 1.0f : -1.0f;
     // Beats: down with what is stressed, and slower to the sides (McNeill, "Hand and Mind", 1992).
-    const Vec3 moved{out * (0.012f + 0.014f * wave(0.37f * quick, 0)),
-                     0.012f * wave(quick, 1) + 0.01f * wave(2.1f * quick, 2), 0.012f * wave(0.6f * quick, 3)};
+    const Vec3 moved{out * (0.016f + 0.026f * wave(0.37f * quick, 0)),
+                     0.02f * wave(quick, 1) + 0.016f * wave(2.1f * quick, 2), 0.02f * wave(0.6f * quick, 3)};
     return moved * (large * height);
 }
 

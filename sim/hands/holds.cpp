@@ -51,9 +51,9 @@ constexpr HoldShape k_shapes[k_hold_count] = {
     // handle
     {HoldAnchor::ground, 0.1f, 0.56f, 0.2f, 0, -0.394f, -0.22f, -0.011f, 0.348f, 0.02f, 0.02f},
     // tells
-    {HoldAnchor::chest, 0.78f, 0.3f, 1, 0.11f, -0.35f, 0.2f, 0.05f, 0.05f, 0.03f, 0.02f},
+    {HoldAnchor::chest, 0.98f, 0.32f, 1, 0.11f, -0.35f, 0.2f, 0.05f, 0.05f, 0.03f, 0.02f},
     // waves
-    {HoldAnchor::chest, 1.3f, 1.15f, 1, 0.1f, -0.2f, 0.1f, -0.1f, 0, 0.04f, 0.06f},
+    {HoldAnchor::chest, 1.5f, 1.32f, 1, 0.09f, -0.2f, 0.1f, -0.1f, 0, 0.04f, 0.06f},
 };
 
 constexpr float k_time = 0.9f;                    // seconds that a hand takes

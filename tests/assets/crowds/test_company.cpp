@@ -66,7 +66,9 @@ TEST(Company, WalksAsPeopleDo) {
         for (const WalkerId id : w.crowd.slots.living) {
             const Group* g = group_of(w.company, w.crowd, id.index);
             ++by_size[g ? g->count : 1].people;
-            if (age_of(w, id.index) < k_never_alone) EXPECT_TRUE(g);
+            if (age_of(w, id.index) < k_never_alone) {
+                EXPECT_TRUE(g);
+            }
         }
         for (uint32_t tick = 0; tick < 90 * 60; ++tick) {
             step(w);
@@ -128,6 +130,19 @@ TEST(Company, WalksAsPeopleDo) {
         double(speaks) / double(group_ticks), double(come) / double(group_ticks),
         grips ? double(grip_sum) / double(grips) : 0, double(worst_grip),
         double(grips) / double(std::max<uint64_t>(hold_ticks, 1)), double(deepest));
+    // Moussaid et al. 2010, Zanlungo et al. 2014: bands about what they found.
+    for (uint32_t n = 1; n <= k_most_company; ++n)
+        EXPECT_NEAR(double(by_size[n].people) / double(all), double(k_usual_groups[n - 1]), 0.03);
+    auto speed = [&](int n) { return by_size[n].speed / double(by_size[n].walking); };
+    EXPECT_TRUE(speed(1) > 1.15 && speed(1) < 1.45 && speed(2) > 1.05 && speed(2) < 1.3);
+    EXPECT_TRUE(speed(3) > 0.95 && speed(3) < speed(2) && speed(4) > 0.9 && speed(4) < speed(2));
+    const Tally& pairs = by_size[2];
+    EXPECT_NEAR(pairs.beside / double(pairs.abreast_count), 0.75, 0.1);
+    EXPECT_LT(double(pairs.leads) / double(pairs.walking), 0.1);
+    EXPECT_LT(pairs.longest_lead, 15);
+    EXPECT_LT(pairs.farthest, 12);
+    for (int n = 2; n <= 4; ++n) EXPECT_LT(double(by_size[n].parted) / double(by_size[n].ticks), 0.03);
+    EXPECT_GT(double(grips) / double(std::max<uint64_t>(hold_ticks, 1)), 0.6);
     EXPECT_LE(deepest, k_most_overlap + 1e-3f);
     EXPECT_LE(worst_grip, 0.01f);
 }

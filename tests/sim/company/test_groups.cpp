@@ -43,7 +43,9 @@ TEST(Groups, AreAsManyAsAskedForAndNoChildIsAlone) {
         for (const WalkerId id : w->crowd.slots.living) {
             const Group* g = group_of(w->company, w->crowd, id.index);
             in[g ? g->count : 1] += 1 / 300.0f;
-            if (age_of(*w, id.index) < k_never_alone) EXPECT_NE(g, nullptr);
+            if (age_of(*w, id.index) < k_never_alone) {
+                EXPECT_NE(g, nullptr);
+            }
             if (!g || age_of(*w, id.index) >= k_never_alone) continue;
             bool has_adult = false;
             for (uint32_t k = 0; k < g->count; ++k)
