@@ -18,7 +18,7 @@ namespace {
 
 constexpr float k_goes = 0.3f;                            // m/s, of who leads
 constexpr float k_parted = 3.5f;                          // metres from where one should be
-constexpr uint32_t k_gives_up = 90 * 60;                  // ticks, after which who is parted goes alone
+constexpr uint32_t k_gives_up = 45 * 60;                  // ticks, after which who is parted goes alone
 constexpr float k_hastens = 1.25f, k_catches_up = 1.45f;  // times the usual speed, at most,
 constexpr float k_fastest = 1.9f, k_child_runs = 2.3f;    // m/s
 

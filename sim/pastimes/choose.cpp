@@ -145,7 +145,8 @@ bool is_leant_on(const Pastimes& all, Vec2 to) {
 }
 
 bool leans(const PastimeTick& t, const Candidate& c) {
-    constexpr float k_reach = 2.6f, k_before_doors = 1.7f, k_off = 0.36f, k_least_stay = 5;
+    constexpr float k_reach = 2.6f, k_before_doors = 1.7f, k_off = 0.48f, k_least_stay = 5;
+    constexpr float k_beside = 0.16f;  // metres, by which the mesh may keep one farther off
     const float share = t.pastimes.shares.leaning;
     if (share <= 0 || !c.has_stopped || c.stays < k_least_stay) return false;
     if (random_unit(c.key, 5) >= share || is_laden(t, c)) return false;
@@ -164,8 +165,8 @@ bool leans(const PastimeTick& t, const Candidate& c) {
                 return false;
         }
     const Vec3 to = Vec3{wall->point.x, c.at.y, wall->point.z} + at_height(out * k_off, 0);
-    const auto place = nearest(t.mesh, 0, to, {0.1f, 0.5f, 0.1f});
-    if (!place || length(on_ground(place->position - to)) > 0.05f) return false;
+    const auto place = nearest(t.mesh, 0, to, {0.2f, 0.5f, 0.2f});
+    if (!place || length(on_ground(place->position - to)) > k_beside) return false;
     if (is_any_near(t.pastimes.doors, on_ground(to), k_before_doors) ||
         is_leant_on(t.pastimes, on_ground(to)) || !is_clear(t.mesh, c.at, place->position))
         return false;

@@ -18,6 +18,6 @@ void move_up(const PastimeTick& tick, Pastime& pastime);
 // Whether it wears a skirt, a dress or a coat.
 bool has_robe(const PersonBlock& person, size_t lane);
 
-inline constexpr float k_leans_back = 1.3f;  // seconds until the back is at the wall
+inline constexpr float k_leans_back = 1.8f;  // seconds until the back is at the wall
 
 }  // namespace flaneur

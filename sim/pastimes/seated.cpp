@@ -68,8 +68,8 @@ FootAt foot_before(Someone who, const Seat& seat, HipsAt hips_are, SatLegs legs,
     const float thigh = length(own_place(who, left_lower_leg) - own_place(who, left_upper_leg));
     const float shank = length(own_place(who, left_foot) - own_place(who, left_lower_leg));
     const float ankle = own_place(who, left_foot).y, out = outward_of(side);
-    float aside = own_place(who, left_upper_leg).x * (legs == SatLegs::apart ? 1.5f : 1.05f);
-    const float yaw = heading_of(seat.facing) + out * (legs == SatLegs::apart ? 0.28f : 0.12f);
+    float aside = own_place(who, left_upper_leg).x * (legs == SatLegs::apart ? 1.2f : 1.05f);
+    const float yaw = heading_of(seat.facing) + out * (legs == SatLegs::apart ? 0.2f : 0.12f);
     const auto ground = ground_at(around, f.at(out * aside, 0, 0.3f), 0, 1.5f);
     const float floor = ground ? ground->height - seat.edge.y : -0.45f;
     const float lowest = hips_are.up - 0.35f * thigh;  // of a knee
@@ -95,11 +95,11 @@ FootAt foot_before(Someone who, const Seat& seat, HipsAt hips_are, SatLegs legs,
 
 Vec3 pole_of(const Seat& seat, SatLegs legs, Side side) {
     const SeatFrame f = frame_of(seat);
-    const float out = legs == SatLegs::apart ? 0.45f : legs == SatLegs::crossed ? 0.02f : 0.1f;
+    const float out = legs == SatLegs::apart ? 0.3f : legs == SatLegs::crossed ? 0.02f : 0.1f;
     return normalize_or(f.ahead * 0.6f + k_up + f.left * (out * outward_of(side)), k_up);
 }
 
-void lay_hand(BodyPose& pose, Someone who, Side side, SatHands hands) {
+void lay_hand(BodyPose& pose, Someone who, Side side, SatAs how) {
     const auto places = places_of(pose, who.person, who.lane);
     const size_t thigh = thigh_of(side);
     const Vec3 hip = places[thigh], knee = places[thigh + 1], along = normalize_or(knee - hip, {0, 0, 1});
@@ -107,17 +107,21 @@ void lay_hand(BodyPose& pose, Someone who, Side side, SatHands hands) {
     const Vec3 over = normalize_or(cross(along, left) - along * dot(along, cross(along, left)), k_up);
     const float h = height_of(who);
     Palm palm;
-    if (hands == SatHands::lap) {
+    if (how.hands == SatHands::lap) {
         const Vec3 middle = lerp(places[left_upper_leg], places[right_upper_leg], 0.5f);
         const float lift = side == k_right ? 0.058f : 0.044f;
         palm.place = middle + along * (0.36f * length(knee - hip)) + over * (lift * h) + out * (0.012f * h);
         palm.fingers = normalize_or(along * 0.8f - out, along);
     } else {
-        palm.place = lerp(hip, knee, 0.66f) + over * (k_palm_over * h);
+        // As far out as arms are long.
+        const float out_to = how.trunk == SatTrunk::back      ? 0.5f
+                             : how.trunk == SatTrunk::upright ? 0.58f
+                                                              : 0.66f;
+        palm.place = lerp(hip, knee, out_to) + over * (k_palm_over * h);
         palm.fingers = normalize_or(along - out * 0.3f, along);
     }
     palm.faces = normalize_or(-over + palm.fingers * dot(over, palm.fingers), -k_up);
-    reach_for(pose, who, side, palm, {0.7f, -0.55f, -0.6f}, 1);
+    reach_for(pose, who, side, palm, {0.4f, -0.5f, -0.8f}, 1);
 }
 
 // `s` of the way of a foot, lifted.
@@ -131,6 +135,21 @@ FootAt stepped(const FootAt& from, const FootAt& to, float s) {
 void set_foot(BodyPose& pose, Side side, const FootAt& foot) {
     const size_t j = thigh_of(side) + 2;
     pose.rotation[j] = pose.rotation[j + 1] = normalize(rotation_y(foot.yaw) * rotation_x(foot.down));
+}
+
+// Lowers the hips until no leg is longer than nearly straight, by so much of it: knees that come there snap.
+void keep_knees_bent(BodyPose& pose, Someone who, const FootAt (&feet)[2], float share) {
+    constexpr float k_straightest = 0.975f;
+    const auto places = places_of(pose, who.person, who.lane);
+    const float leg = length(own_place(who, left_lower_leg) - own_place(who, left_upper_leg)) +
+                      length(own_place(who, left_foot) - own_place(who, left_lower_leg));
+    float lower = 0;
+    for (const Side side : {k_left, k_right}) {
+        const Vec3 off = places[thigh_of(side)] - feet[side].ankle;
+        const float most = k_straightest * leg, flat = off.x * off.x + off.z * off.z;
+        lower = std::max(lower, off.y - std::sqrt(std::max(most * most - flat, 0.01f)));
+    }
+    pose.hips.y -= share * lower;
 }
 
 }  // namespace
@@ -201,14 +220,14 @@ BodyPose seated_pose(Someone who, const Seat& seat, SatAs how, const Surrounding
     for (const Side side : {k_left, k_right})
         set_leg(pose, who, side, foot_before(who, seat, at, how.legs, side, around),
                 pole_of(seat, how.legs, side));
-    for (const Side side : {k_left, k_right}) lay_hand(pose, who, side, how.hands);
+    for (const Side side : {k_left, k_right}) lay_hand(pose, who, side, how);
     return pose;
 }
 
 BodyPose sitting_down(const BodyPose& standing, const FootAt (&stands)[2], const BodyPose& seated,
                       Someone who, float seconds) {
     constexpr float k_step = 0.45f, k_second = 0.3f;     // seconds: of a step, and until the other begins
-    constexpr float k_with_feet = 0.3f, k_most = 0.72f;  // of the way of the hips; radians
+    constexpr float k_with_feet = 0.2f, k_most = 0.72f;  // of the way of the hips; radians
     const float rest = k_sits_down - k_hips_move;
     const float time = clamp((seconds - rest) / k_hips_move, 0, 1), u = bell(time);
     // Arms, head and back follow a little later, and are there at the end.
@@ -221,12 +240,16 @@ BodyPose sitting_down(const BodyPose& standing, const FootAt (&stands)[2], const
     const Vec3 axis = rotate(pose.rotation[hips], {1, 0, 0});
     pose.rotation[hips] = normalize(rotation_about(axis, 0.45f * lean) * pose.rotation[hips]);
     lean_trunk(pose, lean);
+    FootAt feet[2];
     for (const Side side : {k_left, k_right}) {
         const float begins = side == k_left ? 0 : k_second;
-        const FootAt to = foot_of(seated, who, side);
-        const FootAt foot = stepped(stands[side], to, clamp((seconds - begins) / k_step, 0, 1));
+        feet[side] =
+            stepped(stands[side], foot_of(seated, who, side), clamp((seconds - begins) / k_step, 0, 1));
+    }
+    keep_knees_bent(pose, who, feet, bell(clamp(seconds / k_second, 0, 1)) * (1 - u));
+    for (const Side side : {k_left, k_right}) {
         const Vec3 pole = lerp(knee_of(standing, who, side), knee_of(seated, who, side), std::max(steps, u));
-        set_leg(pose, who, side, foot, normalize_or(pole, {0, 0, 1}));
+        set_leg(pose, who, side, feet[side], normalize_or(pole, {0, 0, 1}));
     }
     return pose;
 }

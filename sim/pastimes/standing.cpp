@@ -10,6 +10,7 @@ namespace flaneur {
 BodyPose leaning_back(const BodyPose& standing, const FootAt (&stands)[2], Someone who,
                       const WallBehind& wall, uint32_t foot, float share) {
     constexpr float k_straightest = 0.99f, k_leans = 0.05f;
+    constexpr float k_before_wall = 0.33f, k_lift = 0.04f;  // metres: of feet, which step there
     const float u = bell(share);
     const auto& joints = who.person.joints;
     const int lane = who.lane;
@@ -26,9 +27,17 @@ BodyPose leaning_back(const BodyPose& standing, const FootAt (&stands)[2], Someo
     // As low as legs have it.
     const float leg = joints[left_upper_leg][1][lane] - joints[left_foot][1][lane];
     const float hip_drop = joints[hips][1][lane] - joints[left_upper_leg][1][lane];
+    FootAt feet[2];
+    for (const Side side : {k_left, k_right}) {
+        feet[side] = stands[side];
+        const float nearer = std::max(dot(feet[side].ankle - wall.at, out) - k_before_wall, 0.0f);
+        const float t = bell(clamp(2 * share - (side == k_left ? 0 : 0.5f), 0, 1));
+        feet[side].ankle -= out * (nearer * t);
+        feet[side].ankle.y += std::min(k_lift, nearer) * 4 * t * (1 - t);
+    }
     for (const Side side : {k_left, k_right}) {
         if (foot == static_cast<uint32_t>(side)) continue;
-        const Vec3 ankle = stands[side].ankle;
+        const Vec3 ankle = feet[side].ankle;
         const float away = dot(ankle - pose.hips, out);
         const float most =
             ankle.y + hip_drop +
@@ -36,7 +45,7 @@ BodyPose leaning_back(const BodyPose& standing, const FootAt (&stands)[2], Someo
         pose.hips.y = lerp(pose.hips.y, std::min(pose.hips.y, most), u);
     }
     for (const Side side : {k_left, k_right}) {
-        FootAt to = stands[side];
+        FootAt to = feet[side];
         if (foot == static_cast<uint32_t>(side)) {
             const float sole = joints[left_foot][1][lane];
             const Vec3 hip =

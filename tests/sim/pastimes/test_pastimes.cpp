@@ -27,15 +27,15 @@ PastimePlaces places() {
         for (const float x : {-0.6f, 0.0f, 0.6f})
             all.seats.push_back(
                 {k_benches[b] + Vec3{x, 0.46f, 0.21f}, {0, 1}, 0.44f, b, x == 0 ? 1u : 0u, 1});
-    for (const float x : {-8.0f, -4.0f}) all.windows.push_back({{x, 0, 14.9f}, {0, -1}, 1.9f});
-    all.services.push_back({{5, 0, 14.1f}, {0, 1}, {1, 0}, 12});
+    for (const float x : {-8.0f, -4.0f}) all.windows.push_back({{x, 0, 29.9f}, {0, -1}, 1.9f});
+    all.services.push_back({{5, 0, 29.1f}, {0, 1}, {1, 0}, 12});
     all.sights.push_back({0, 0, 4});
     return all;
 }
 
 std::unique_ptr<World> made(const PastimeShares& shares, uint64_t seed = 1, uint32_t walkers = 50,
                             int threads = 1) {
-    Ground ground = square(30);
+    Ground ground = square(60);
     for (const Vec3 at : k_benches) ground.obstacles.push_back({at, 0, {0.8f, 0.3f}});
     index_ground(ground);
     WorldOptions options{.walkers = walkers, .seed = seed, .threads = threads};
@@ -44,10 +44,10 @@ std::unique_ptr<World> made(const PastimeShares& shares, uint64_t seed = 1, uint
                      {.body = standard_body(1.3f), .share = 1, .age = 9}};
     for (const Vec3 at : k_benches)
         options.destinations.push_back({DestinationKind::bench, at + Vec3{0, 0, 0.8f}, {0, 1}, 1});
-    for (const float x : {-10.0f, 10.0f})
-        options.destinations.push_back({DestinationKind::square, {x, 0, 13.5f}, {0, 1}, 1});
-    options.destinations.push_back({DestinationKind::square, {-13, 0, -8}, {1, 0}, 1});
-    options.destinations.push_back({DestinationKind::square, {13, 0, 8}, {1, 0}, 1});
+    for (const float x : {-26.0f, -6.0f, 6.0f, 26.0f})
+        options.destinations.push_back({DestinationKind::square, {x, 0, 28.5f}, {0, 1}, 1});
+    for (const float x : {-28.5f, 28.5f})
+        options.destinations.push_back({DestinationKind::square, {x, 0, -28}, {1, 0}, 1});
     options.pastimes = shares;
     options.pastime_places = places();
     auto world = make_world(std::make_shared<const Ground>(std::move(ground)), options);
@@ -177,7 +177,7 @@ TEST(Pastimes, WhoSitsIsOnTheSeatAndNobodyElseIs) {
     for (const uint64_t seed : {1u, 2u, 3u}) {
         auto world = made(k_all, seed);
         Earlier earlier;
-        watch(*world, 4800, seen, earlier);
+        watch(*world, 7200, seen, earlier);
     }
     std::printf(
         "%u sat, %u leant, %u looked, %u glanced, %u lined up, %u took pictures; off seats %.1f mm, off "
@@ -186,7 +186,7 @@ TEST(Pastimes, WhoSitsIsOnTheSeatAndNobodyElseIs) {
         seen.sat, seen.leant, seen.looked, seen.glanced, seen.queued, seen.photographed,
         wide(seen.off_seat * 1000), wide(seen.off_wall * 1000), wide(seen.slid * 1000), wide(seen.fastest),
         100.0 * static_cast<double>(seen.phone_ticks) / static_cast<double>(seen.ticks));
-    EXPECT_GT(seen.sat, 15u);
+    EXPECT_GT(seen.sat, 8u);
     EXPECT_GT(seen.leant, 0u);
     EXPECT_GT(seen.looked + seen.glanced, 0u);
     EXPECT_GT(seen.queued, 3u);
@@ -242,7 +242,7 @@ TEST(PastimesLong, TenMinutesKeepToTheSharesAndNobodyIsStuck) {
             }
             for (const Pastime& p : world->pastimes->all)
                 late += p.phase == StayPhase::comes && p.what != Staying::queues &&
-                        world->tick - p.began > 16 * 60;
+                        p.what != Staying::nowhere && world->tick - p.began > 16 * 60;
             for (const Pastime& p : world->pastimes->all) {
                 if (p.what != Staying::sits || p.phase != StayPhase::stays) continue;
                 const float stays = static_cast<float>(p.until - p.began) * k_tick;

@@ -153,7 +153,8 @@ TEST(Seated, SitsDownWithoutAJumpWithTheTrunkAheadAndFeetOnTheGround) {
                 const BodyPose now = sitting_down(standing, stands, seated, one.who(), t);
                 for (int j = 1; j < k_joint_count; ++j) {
                     const float same = std::fabs(dot(against_parent(before, j), against_parent(now, j)));
-                    fastest = std::max(fastest, 2 * arccos(clamp(same, -1, 1)) / k_tick);
+                    const float turns = 2 * arccos(clamp(same, -1, 1)) / k_tick;
+                    fastest = std::max(fastest, turns);
                 }
                 EXPECT_LT(length(now.hips - before.hips), 1.1f * k_tick) << "m/s of the hips";
                 const auto places = places_of(now, one.who().person, 0);

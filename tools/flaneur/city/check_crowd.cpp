@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/alongside/alongside.h"
 #include "sim/base/math.h"
 #include "sim/base/spans.h"
 #include "sim/pastimes/pastimes.h"
@@ -45,18 +46,25 @@ bool is_by_crossing(const City& city, Vec3 p) {
 // Whether one stands or sits where it is because it wants to, with others, at a bench, before who plays.
 bool stays(const World& w, uint32_t i) {
     if (is_staying(*w.pastimes, i) || own_of(w.crowd.called, i)) return true;
+    if (w.alongside &&
+        std::ranges::any_of(w.alongside->players, [&](const Player& p) { return p.walker == i; }))
+        return true;
     const Group* group = group_of(w.company, w.crowd, i);
     return group && group->does != Together::walks;
 }
 
 // Why one does not get on.
-const char* cause(const Crowd& c, uint32_t i) {
+std::string cause(const World& w, uint32_t i) {
+    const Crowd& c = w.crowd;
+    std::string does = company_words(w.company, c, w.folk, i);
+    if (const std::string along(told_along(w, i)); !along.empty()) does += (does.empty() ? "" : ", ") + along;
+    if (!does.empty()) does = ", " + does;
     for (WalkerId other : c.slots.living)
         if (other.index != i &&
             length(on_ground(c.motion.position[other.index] - c.motion.position[i])) < k_close)
-            return "stuck among others";
-    if (c.journeys[i].path_due != PathDue::no) return "waits for a way";
-    return c.journeys[i].corner >= c.journeys[i].corner_count ? "has no way" : "stuck by itself";
+            return "stuck among others" + does;
+    if (c.journeys[i].path_due != PathDue::no) return "waits for a way" + does;
+    return (c.journeys[i].corner >= c.journeys[i].corner_count ? "has no way" : "stuck by itself") + does;
 }
 
 }  // namespace
@@ -79,8 +87,8 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
         if (finding.where.size() >= k_most_places) return;
         char text[128];
         Vec3 p = c.motion.position[i];
-        std::snprintf(text, sizeof text, "%.1f,%.1f,%.1f %s", static_cast<double>(p.x),
-                      static_cast<double>(p.y), static_cast<double>(p.z), why.c_str());
+        std::snprintf(text, sizeof text, "%.1f,%.1f,%.1f %u %s", static_cast<double>(p.x),
+                      static_cast<double>(p.y), static_cast<double>(p.z), i, why.c_str());
         finding.where.emplace_back(text);
     };
     const bool lives = is_lively(world);
@@ -117,7 +125,7 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
                 watch.anchor = on_ground(p);
                 watch.since = tick;
             }
-            if (tick - watch.since > k_stuck_ticks) count(watch.stuck, stuck, i, cause(c, i));
+            if (tick - watch.since > k_stuck_ticks) count(watch.stuck, stuck, i, cause(world, i));
             if (length(c.motion.velocity[i]) < k_walking || !under) continue;
             ++walking;
             bool off = under->kind == Surface::road && !is_by_crossing(city, p);

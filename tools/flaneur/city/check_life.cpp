@@ -22,9 +22,11 @@ float far_between(const World& w, uint32_t a, uint32_t b) {
 
 bool goes_on(const World& w, uint32_t i) {
     const Crowd& c = w.crowd;
+    const bool is_led_by_another =
+        !c.fellows.empty() && c.fellows[i].group != k_no_group && c.fellows[i].leads == 0;
     return length(c.motion.velocity[i]) > k_walks && !own_of(c.called, i) && !own_of(c.passages, i) &&
-           c.journeys[i].corner < c.journeys[i].corner_count && !waits_at_kerb(c.kerbs, i) &&
-           c.motion.under[i].normal.y > 0.99f && !is_down(c, i);
+           (is_led_by_another || c.journeys[i].corner < c.journeys[i].corner_count) &&
+           !waits_at_kerb(c.kerbs, i) && c.motion.under[i].normal.y > 0.99f && !is_down(c, i);
 }
 
 float hands_apart(const World& w, uint32_t i) {

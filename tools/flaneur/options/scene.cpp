@@ -163,14 +163,15 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
                      "EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0."};
     }
     const bool is_of_walker = camera.kind == follow || camera.kind == eyes;
-    const int those = options.scene.walkers + options.scene.creatures;
+    const int musicians = static_cast<int>(options.scene.along.musicians);
+    const int those = options.scene.walkers + options.scene.creatures + musicians;
     if (is_of_walker && camera.walker >= static_cast<uint32_t>(those)) {
-        return Error{who + told_camera(camera) + (camera.kind == eyes ? " is of" : " follows") +
-                     " nobody: walkers are numbered from 0, and there are " +
-                     std::to_string(options.scene.walkers) +
-                     (those > options.scene.walkers
-                          ? " and then " + std::to_string(options.scene.creatures) + " creatures."
-                          : ".")};
+        return Error{
+            who + told_camera(camera) + (camera.kind == eyes ? " is of" : " follows") +
+            " nobody: walkers are numbered from 0, and there are " + std::to_string(options.scene.walkers) +
+            (those > options.scene.walkers
+                 ? " and then " + std::to_string(those - options.scene.walkers) + " creatures and musicians."
+                 : ".")};
     }
     return {};
 }
