@@ -56,6 +56,18 @@ Vec3 on_the_ground(const Surroundings& around, Vec2 at, float near) {
     return at_height(at, hit ? hit->height : near);
 }
 
+// As near to there as no edge is, along the dog.
+Vec3 off_edges(const Surroundings& around, const Dog& dog, Vec3 at) {
+    constexpr float k_edge = 0.03f, k_keeps = 0.045f;  // metres
+    const Vec2 way = heading_direction(dog.heading) * k_keeps;
+    auto differs = [&](Vec2 by) {
+        return std::fabs(on_the_ground(around, on_ground(at) + by, at.y).y - at.y) > k_edge;
+    };
+    const bool ahead = differs(way), behind = differs(-way);
+    if (ahead == behind) return at;
+    return on_the_ground(around, on_ground(at) + (ahead ? -way : way), at.y);
+}
+
 // Where the foot is to come down, so that it stands half of its time ahead of home and half behind.
 Vec3 landing_of(const Dog& dog, int leg, float seconds, float stance, const Surroundings& around) {
     const Vec2 goes = dog.velocity * (seconds + 0.5f * stance);
@@ -64,7 +76,8 @@ Vec3 landing_of(const Dog& dog, int leg, float seconds, float stance, const Surr
     const SinCos by = sin_cos(turn);
     // Headings grow towards +x.
     const Vec2 turned{arm.x * by.cosine + arm.z * by.sine, arm.z * by.cosine - arm.x * by.sine};
-    return on_the_ground(around, on_ground(dog.position) + turned + goes, dog.feet[leg].at.y);
+    return off_edges(around, dog,
+                     on_the_ground(around, on_ground(dog.position) + turned + goes, dog.feet[leg].at.y));
 }
 
 // The pad on its way: over the higher end and what lies between.
@@ -75,7 +88,7 @@ void swing(DogFoot& foot, float lift, const Surroundings& around) {
                 falls = std::max(foot.from.y - foot.to.y, 0.0f);
     // It rises before it goes ahead over an edge, and comes down behind one.
     at.y = foot.from.y + (climbs > 0 ? climbs * smoothstep(0, 0.55f, up) : -falls * smoothstep(0.45f, 1, up));
-    at.y += (lift + 0.35f * std::max(climbs, falls)) * 4 * up * (1 - up);
+    at.y += (lift + 0.12f * std::max(climbs, falls)) * 4 * up * (1 - up);
     // Over what is there, and is in a moment.
     const Vec3 soon = lerp(foot.from, foot.to, smoothstep(0, 1, std::min(up + 0.12f, 1.0f)));
     for (const Vec3 over : {at, soon}) at.y = std::max(at.y, on_the_ground(around, on_ground(over), at.y).y);

