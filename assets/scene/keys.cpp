@@ -354,6 +354,21 @@ std::string shown(const Json& value) {
     return excerpt(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
+// Why a key is refused: those that it may be, of many only such as begin alike.
+template <class Of>
+std::string unknown(const std::string& name, const std::vector<SceneKey<Of>>& keys, const char* owner) {
+    constexpr size_t k_few = 16;
+    std::vector<std::string> names;
+    names.reserve(keys.size());
+    for (const SceneKey<Of>& k : keys)
+        if (keys.size() <= k_few || (!name.empty() && k.name[0] == name[0])) names.emplace_back(k.name);
+    std::string text = in_quotes(excerpt(name)) + " is not known; " + owner + " may have ";
+    if (!names.empty()) text += joined(names);
+    if (keys.size() > k_few)
+        text += std::string(names.empty() ? "" : " and others: ") + "what flaneur scenes --schema tells";
+    return text;
+}
+
 // The keys of one object. `owner` may have these.
 template <class Of>
 void read_keys(SceneReading& r, const std::vector<SceneKey<Of>>& keys, const char* owner, const Json& object,
@@ -363,11 +378,7 @@ void read_keys(SceneReading& r, const std::vector<SceneKey<Of>>& keys, const cha
         auto key = std::find_if(keys.begin(), keys.end(),
                                 [&, &known = name](const auto& k) { return k.name == known; });
         if (key == keys.end()) {
-            std::vector<std::string> names;
-            names.reserve(keys.size());
-            for (const SceneKey<Of>& k : keys) names.emplace_back(k.name);
-            add_fault(r, in_quotes(excerpt(name)) + " is not known; " + owner + " may have " + joined(names),
-                      true);
+            add_fault(r, unknown(name, keys, owner), true);
         } else if (std::string must = refusal(key->rule, value); !must.empty()) {
             // A number as it was written: one that is too large is another to the parser.
             std::string is = value.is_number() ? excerpt(text_in_json(r.text, r.path)) : shown(value);

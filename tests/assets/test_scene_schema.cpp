@@ -56,6 +56,8 @@ bool lets_word_through(const std::string& word, const Json& of, const Json& sche
     auto lets = [&](const Json& one) { return lets_through(one, value); };
     if (word == "type") return has_type(of, value);
     if (word == "minimum") return !value.is_number() || value.get<long double>() >= of.get<long double>();
+    if (word == "exclusiveMinimum")
+        return !value.is_number() || value.get<long double>() > of.get<long double>();
     if (word == "maximum") return !value.is_number() || value.get<long double>() <= of.get<long double>();
     if (word == "enum") return std::find(of.begin(), of.end(), value) != of.end();
     if (word == "const") return value == of;

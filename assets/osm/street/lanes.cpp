@@ -173,6 +173,7 @@ void add_osm_lanes(OsmImport& in) {
         }
     };
     each([&](const OsmWay& way, const OsmHighway&, const Class&) {
+        if (way.nodes.empty()) return;
         for (const int64_t id : way.nodes) ++l.uses[id];
         ++l.uses[way.nodes.front()], ++l.uses[way.nodes.back()];
     });
