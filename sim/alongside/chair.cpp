@@ -29,8 +29,6 @@ float wrapped(float turn) {
     return turn < k_round ? turn : 0;
 }
 
-Vec2 left_of(Vec2 way) { return {way.z, -way.x}; }
-
 struct Under {
     float axle, pitch, roll;
 };

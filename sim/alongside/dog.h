@@ -20,6 +20,9 @@
 
 namespace flaneur {
 
+// Square to a way on the ground plane.
+inline Vec2 left_of(Vec2 way) { return {way.z, -way.x}; }
+
 // The bones, each from its joint on.
 enum DogJoint : uint8_t {
     dog_pelvis,

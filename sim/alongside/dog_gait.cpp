@@ -37,8 +37,6 @@ float phase_of(const Dog& dog, int leg) {
     return phase - std::floor(phase);
 }
 
-Vec2 left_of(Vec2 way) { return {way.z, -way.x}; }
-
 // Where a foot of one who stands like that would be, on the plane.
 Vec2 home_of(const Dog& dog, int leg) {
     const DogShape& shape = shape_of(dog.breed);

@@ -12,8 +12,6 @@ namespace flaneur {
 
 namespace {
 
-Vec2 left_of(Vec2 way) { return {way.z, -way.x}; }
-
 // The body's own axes on the plane, and joints that hands go by.
 struct Stance {
     Vec3 ahead, left;

@@ -30,8 +30,6 @@ constexpr float k_hat_ahead = 0.95f;                  // metres
 constexpr float k_open = 0.16f;                       // metres that an accordion opens
 
 uint32_t ticks_of(float seconds) { return static_cast<uint32_t>(seconds / k_tick); }
-Vec2 left_of(Vec2 way) { return {way.z, -way.x}; }
-
 float wave(float beats) { return sin_cos(2 * k_pi * (beats - std::floor(beats))).sine; }
 
 const Player* player_of(const World& w, uint32_t walker) {

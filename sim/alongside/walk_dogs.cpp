@@ -105,8 +105,6 @@ void think_dog(World& w, Dog& dog) {
     }
 }
 
-Vec2 left_of(Vec2 way) { return {way.z, -way.x}; }
-
 // Where it would like to be.
 Vec2 place_of(const World& w, const Dog& dog) {
     const CrowdMotion& m = w.crowd.motion;

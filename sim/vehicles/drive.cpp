@@ -25,8 +25,6 @@ constexpr float k_creeps = 0.12f;                       // m/s2, at which one wh
 constexpr float k_farthest = 72;                        // metres that it looks ahead, at most
 constexpr float k_reckons = 6;                          // metres more than it takes to stop
 
-const VehicleShape& shape_of(const Vehicle& v) { return k_vehicle_shapes[static_cast<size_t>(v.kind)]; }
-
 float stops_within(float speed, float braking) { return speed * speed / (2 * braking); }
 
 struct Deciding {

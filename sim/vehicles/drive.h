@@ -5,6 +5,10 @@
 
 namespace flaneur {
 
+inline const VehicleShape& shape_of(const Vehicle& v) {
+    return k_vehicle_shapes[static_cast<size_t>(v.kind)];
+}
+
 // What is ahead on the way of a vehicle: so far from its front, with that speed along its way.
 struct Ahead {
     float gap = 1e9f, speed = 0;

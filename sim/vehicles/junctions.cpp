@@ -19,8 +19,6 @@ constexpr float k_beyond = 1.5f;  // metres more than it is long that are free b
 constexpr float k_flows = 4;      // m/s of the last one beyond, who makes room
 constexpr float k_turns = 0.6f;   // radians
 
-const VehicleShape& shape_of(const Vehicle& v) { return k_vehicle_shapes[static_cast<size_t>(v.kind)]; }
-
 // Metres to where it waits before what it wants to enter.
 float to_line(const Lanes& lanes, const Vehicle& v) {
     float base = -v.metres;

@@ -27,8 +27,6 @@ RandomKey key_of(uint64_t seed, uint32_t number, uint32_t when) {
     return {seed, number, when, Purpose::vehicle};
 }
 
-const VehicleShape& shape_of(const Vehicle& v) { return k_vehicle_shapes[static_cast<size_t>(v.kind)]; }
-
 float aside_of(const Lanes& lanes, const Vehicle& v, uint32_t lane) {
     if (v.kind != VehicleKind::bicycle) return 0;
     const float off = std::max(lanes.all[lane].width / 2 - k_off_border, 0.0f);

@@ -52,9 +52,7 @@ PersonMesh to_mesh(const ThingMesh& thing) {
     return mesh;
 }
 
-JointTransform transform_of(const Placement& p) {
-    return {{p.turn.x, p.turn.y, p.turn.z, p.turn.w}, {p.position.x, p.position.y, p.position.z, 0}};
-}
+JointTransform transform_of(const Placement& p) { return flaneur::transform_of(p.position, p.turn); }
 
 struct Adder {
     const World& world;
@@ -64,15 +62,8 @@ struct Adder {
 
     // One thing of a walker; who comes or goes is seen as much as that one.
     WalkerDraw& begin(uint32_t thing, uint32_t walker, Vec3 centre, float radius, float scale = 1) {
-        WalkerDraw draw;
-        draw.mesh = first_mesh + thing;
-        draw.is_upright = false;
-        draw.id = id_of(IdKind::walker, walker);
-        draw.instance.scale = scale;
-        draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
-        std::ranges::fill(draw.instance.tints, 0xffffffffu);
-        draw.centre = to_glm(centre);
-        draw.radius = radius;
+        WalkerDraw draw =
+            thing_to_draw(frame, first_mesh + thing, id_of(IdKind::walker, walker), centre, radius, scale);
         if (const Passage* passage = passage_of(world.crowd, walker))
             draw.presence = static_cast<uint8_t>(255 * presence(*passage, between) + 0.5f);
         frame.walkers.push_back(draw);

@@ -33,18 +33,9 @@ void add_balls(const Balls& balls, uint32_t mesh, PeopleFrame& frame, float betw
     for (size_t i = 0; i < balls.all.size(); ++i) {
         const Ball& ball = balls.all[i];
         const Vec3 at = lerp(balls.previous_places[i], ball.place, between);
-        WalkerDraw draw;
-        draw.mesh = mesh;
-        draw.is_upright = false;
-        draw.id = id_of(IdKind::mover, first_id + static_cast<uint32_t>(i));
-        draw.instance.scale = ball.radius;
-        draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
-        std::ranges::fill(draw.instance.tints, 0xffffffffu);
-        draw.centre = to_glm(at);
-        draw.radius = ball.radius;
-        frame.palette.resize(frame.palette.size() + k_palette_joints,
-                             {{ball.turn.x, ball.turn.y, ball.turn.z, ball.turn.w}, {at.x, at.y, at.z, 0}});
-        frame.walkers.push_back(draw);
+        const uint32_t id = id_of(IdKind::mover, first_id + static_cast<uint32_t>(i));
+        add_rigid(frame, thing_to_draw(frame, mesh, id, at, ball.radius, ball.radius),
+                  transform_of(at, ball.turn));
     }
 }
 

@@ -104,15 +104,10 @@ void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& fr
         };
         for (size_t first = 0; first < part_count(f); first += k_palette_joints, ++mesh) {
             const size_t end = std::min(first + k_palette_joints, part_count(f));
-            WalkerDraw draw;
-            draw.mesh = mesh;
-            draw.is_upright = false;
-            draw.id = f.kind == Linkage::Kind::led
-                          ? id_of(IdKind::creature, static_cast<uint32_t>(i))
-                          : id_of(IdKind::exhibit, first_id + static_cast<uint32_t>(i));
-            draw.instance.scale = 1;
-            draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
-            std::ranges::fill(draw.instance.tints, 0xffffffffu);
+            const auto number = static_cast<uint32_t>(i);
+            const uint32_t id = f.kind == Linkage::Kind::led ? id_of(IdKind::creature, number)
+                                                             : id_of(IdKind::exhibit, first_id + number);
+            WalkerDraw draw = thing_to_draw(frame, mesh, id, {}, 0);
             Vec3 low = place(part_of(f, first)).first, high = low;
             float longest = k_target;
             for (size_t p = first; p < end; ++p) {
@@ -122,8 +117,7 @@ void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& fr
                 high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
                 longest = std::max(longest, part.is_target ? target_radius(f, part.number)
                                                            : f.bones[part.number] + 2 * f.girth[part.number]);
-                const Quat turn = rotation_between({0, 1, 0}, up);
-                frame.palette.push_back({{turn.x, turn.y, turn.z, turn.w}, {at.x, at.y, at.z, 0}});
+                frame.palette.push_back(transform_of(at, rotation_between({0, 1, 0}, up)));
             }
             frame.palette.resize(draw.instance.palette + k_palette_joints, frame.palette.back());
             draw.centre = to_glm((low + high) * 0.5f);

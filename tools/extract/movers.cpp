@@ -116,19 +116,11 @@ std::vector<PersonMesh> extract_movers(const Movers& movers) {
 void add_movers(const Movers& movers, uint32_t first_mesh, PeopleFrame& frame, float between) {
     for (size_t i = 0; i < movers.all.size(); ++i) {
         const Placement at = placement_between(movers.previous_places[i], movers.places[i], between);
-        WalkerDraw draw;
-        draw.mesh = first_mesh + static_cast<uint32_t>(i);
-        draw.is_upright = false;
-        draw.id = id_of(IdKind::mover, static_cast<uint32_t>(i));
-        draw.instance.scale = 1;
-        draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
-        std::ranges::fill(draw.instance.tints, 0xffffffffu);
-        draw.centre = to_glm(at.position);
-        draw.radius = movers.radius[i];
-        frame.palette.resize(
-            frame.palette.size() + k_palette_joints,
-            {{at.turn.x, at.turn.y, at.turn.z, at.turn.w}, {at.position.x, at.position.y, at.position.z, 0}});
-        frame.walkers.push_back(draw);
+        const auto number = static_cast<uint32_t>(i);
+        add_rigid(frame,
+                  thing_to_draw(frame, first_mesh + number, id_of(IdKind::mover, number), at.position,
+                                movers.radius[i]),
+                  transform_of(at.position, at.turn));
     }
 }
 

@@ -46,20 +46,9 @@ void add_phones(const World& world, uint32_t mesh, PeopleFrame& frame, float bet
         const auto at = phone_of(*world.pastimes, world.gait, p.walker, world.tick,
                                  joint_between(world, p.walker, right_hand, between));
         if (!at) continue;
-        WalkerDraw draw;
-        draw.mesh = mesh;
-        draw.is_upright = false;
-        draw.id = id_of(IdKind::walker, p.walker);
-        draw.instance.scale = 1;
-        draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
-        std::ranges::fill(draw.instance.tints, 0xffffffffu);
-        draw.centre = to_glm(at->position);
-        draw.radius = 0.5f * k_phone.y + k_phone.x;
-        const Quat q = at->rotation;
-        const Vec3 place = at->position;
-        frame.palette.resize(frame.palette.size() + k_palette_joints,
-                             {{q.x, q.y, q.z, q.w}, {place.x, place.y, place.z, 0}});
-        frame.walkers.push_back(draw);
+        constexpr float k_radius = 0.5f * k_phone.y + k_phone.x;
+        add_rigid(frame, thing_to_draw(frame, mesh, id_of(IdKind::walker, p.walker), at->position, k_radius),
+                  transform_of(at->position, at->rotation));
     }
 }
 

@@ -81,10 +81,6 @@ uint32_t paint_of(const Vehicle& v, uint32_t number) {
     return k_paints[lot % std::size(k_paints)];
 }
 
-JointTransform transform(Quat turn, Vec3 at) {
-    return {{turn.x, turn.y, turn.z, turn.w}, {at.x, at.y, at.z, 0}};
-}
-
 }  // namespace
 
 uint32_t vehicle_mesh_count(const World& world) { return world.roads ? k_vehicle_models : 0; }
@@ -141,14 +137,15 @@ Drawn drawn(const Vehicles& vehicles, uint32_t n, float between) {
 }
 
 void add_joints(const Drawn& d, VehicleModel model, JointTransform* joints) {
-    *joints++ = transform(d.turn, d.at.middle);
+    *joints++ = transform_of(d.at.middle, d.turn);
     for (const VehicleWheel& wheel : wheels_of(model)) {
         const Quat rolls = rotation_x(wrap_angle(d.at.rolled / wheel.radius));
         const Quat steers = wheel.steers ? rotation_y(d.at.steer) : Quat{};
-        *joints++ = transform(d.turn * steers * rolls, d.at.middle + rotate(d.turn, wheel.hub));
+        *joints++ = transform_of(d.at.middle + rotate(d.turn, wheel.hub), d.turn * steers * rolls);
     }
     if (model == VehicleModel::bicycle)
-        *joints = transform(d.turn * rotation_x(d.crank), d.at.middle + rotate(d.turn, RiderHolds{}.crank));
+        *joints =
+            transform_of(d.at.middle + rotate(d.turn, RiderHolds{}.crank), d.turn * rotation_x(d.crank));
 }
 
 // One of the grown-ups, with nothing in hand.
@@ -197,23 +194,17 @@ void add_vehicles(const World& world, const std::vector<Character>& characters, 
         const Drawn d = drawn(vehicles, n, between);
         const VehicleShape& shape = k_vehicle_shapes[static_cast<size_t>(v.kind)];
         const VehicleModel model = model_of(v, n);
-        WalkerDraw draw;
-        draw.mesh = first_mesh + static_cast<uint32_t>(model);
-        draw.is_upright = false;
-        draw.id = id_of(IdKind::mover, first_id + n);
+        WalkerDraw draw =
+            thing_to_draw(frame, first_mesh + static_cast<uint32_t>(model),
+                          id_of(IdKind::mover, first_id + n), d.at.middle + Vec3{0, shape.height / 2, 0},
+                          0.5f * length(Vec3{shape.width + 0.4f, shape.height, shape.length}));
         draw.presence = static_cast<uint8_t>(d.at.presence * 255);
-        draw.instance.scale = 1;
-        draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
-        std::ranges::fill(draw.instance.tints, 0xffffffffu);
         const bool brakes = v.speed < 0.1f || v.acceleration < -0.6f;
         draw.instance.tints[body_paint] = paint_of(v, n);
         draw.instance.tints[end_lamps] = brakes && v.kind != VehicleKind::bicycle ? k_brakes : k_drives;
         draw.instance.tints[front_lamps] = k_lamps;
-        draw.centre = to_glm(d.at.middle + Vec3{0, shape.height / 2, 0});
-        draw.radius = 0.5f * length(Vec3{shape.width + 0.4f, shape.height, shape.length});
-        frame.palette.resize(frame.palette.size() + k_palette_joints, transform(d.turn, d.at.middle));
+        add_rigid(frame, draw, transform_of(d.at.middle, d.turn));
         add_joints(d, model, frame.palette.data() + draw.instance.palette);
-        frame.walkers.push_back(draw);
         if (v.kind == VehicleKind::bicycle) add_rider(world, characters, d, n, draw, frame);
     }
 }
