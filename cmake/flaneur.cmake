@@ -87,15 +87,31 @@ if(FLANEUR_MISSING)
         "-DFLANEUR_VULKAN=OFF builds what draws nothing, and -DFLANEUR_TESTS=OFF no tests; each takes less.")
 endif()
 
-# flaneur_precompile(target headers...): what most files of a target take is compiled once for all of them. Not unless
-# asked for: it hides what a file itself forgot to include.
-option(FLANEUR_PRECOMPILE "Precompile headers: a build of everything takes less" OFF)
-function(flaneur_precompile target)
-    if(FLANEUR_PRECOMPILE)
-        target_precompile_headers(${target} PRIVATE
-            <algorithm> <array> <bit> <chrono> <cmath> <filesystem> <functional> <limits> <map> <memory> <numeric> <optional>
-            <random> <span> <string> <string_view> <thread> <utility> <variant> <vector> ${ARGN})
+# flaneur_batch(target): sources that do not take each other's names are compiled as one, as most of what a source takes to
+# compile is the headers that it shares with its neighbours. Without, a build of everything takes three times as long.
+find_package(Python3 COMPONENTS Interpreter QUIET)
+option(FLANEUR_BATCH "Compile several sources as one; takes Python" ${Python3_FOUND})
+function(flaneur_batch target)
+    if(NOT FLANEUR_BATCH OR NOT PROJECT_IS_TOP_LEVEL)
+        return()
     endif()
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "^[^/.].*[.]cpp$")  # neither others' nor what is made in the build
+    list(TRANSFORM sources PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+    execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/batches.py ${PROJECT_SOURCE_DIR} ${sources}
+        OUTPUT_VARIABLE batches COMMAND_ERROR_IS_FATAL ANY)
+    string(STRIP "${batches}" batches)
+    string(REPLACE "\n" ";" batches "${batches}")
+    set(number 0)
+    foreach(batch IN LISTS batches)
+        string(REPLACE " " ";" batch "${batch}")
+        set_source_files_properties(${batch} PROPERTIES UNITY_GROUP ${target}_${number})
+        math(EXPR number "${number} + 1")
+    endforeach()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    # A name of one source hides, and is hidden by, those of others.
+    target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/batches.py)
 endfunction()
 
 # flaneur_hardly_runs(target): what takes longer to compile than it runs is, for sanitizers, compiled as it stands.
@@ -114,7 +130,7 @@ function(flaneur_library name)
     set_target_properties(flaneur_${name} PROPERTIES EXPORT_NAME ${name})
     target_compile_features(flaneur_${name} PUBLIC cxx_std_20)
     target_link_libraries(flaneur_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_LINK})
-    flaneur_precompile(flaneur_${name})
+    flaneur_batch(flaneur_${name})
     if(NOT PROJECT_IS_TOP_LEVEL)
         target_include_directories(flaneur_${name} INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
     endif()

@@ -203,6 +203,18 @@ bool put_hands_together(const Holding& h, Side child_side, Side adult_side, floa
                                palm_of(child, small, child_side).place) < k_touch;
 }
 
+// Whether a hand of one of the group is already in that of somebody other than `by`.
+bool is_taken(const Company& company, const Group& g, uint32_t whose, Side side, uint32_t by) {
+    for (uint32_t k = 0; k < g.count; ++k) {
+        const uint32_t m = g.members[k].index;
+        const Bearing& b = company.bearings[m];
+        if (m == by || !has_a_hand(b) || b.grip <= 0) continue;
+        if (m == whose && static_cast<Side>(b.holds_side & 1) == side) return true;
+        if (b.holds == whose && static_cast<Side>(b.holds_side >> 1) == side) return true;
+    }
+    return false;
+}
+
 void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t group, uint32_t i,
                std::vector<PoseBlock>& poses) {
     constexpr float k_takes = k_tick / 0.6f, k_lets_go = k_tick / 0.4f;
@@ -214,7 +226,10 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
         b.holds_side = static_cast<uint32_t>(side_of(c, i, b.holds)) |
                        static_cast<uint32_t>(side_of(c, b.holds, i)) << 1;
     const auto own = static_cast<Side>(b.holds_side & 1), others = static_cast<Side>(b.holds_side >> 1);
-    const bool holds = together && can_hold(h, own, others, b.grip > 0);
+    const Group& g = company.groups[group];
+    const bool is_free =
+        b.grip > 0 || (!is_taken(company, g, i, own, i) && !is_taken(company, g, b.holds, others, i));
+    const bool holds = together && is_free && can_hold(h, own, others, b.grip > 0);
     b.grip = clamp(b.grip + (holds ? k_takes : -k_lets_go), 0, 1);
     if (b.grip > 0 && together && !is_down(c, i) && !is_down(c, b.holds))
         if (!put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses)) b.grip = 1 - 2 * k_lets_go;

@@ -150,7 +150,7 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
     }
     for (int k = 0; k < k_ball_count; ++k) {
         set_row(planes.wall[k], lane, {0, 1, 0});
-        planes.wall_offset[k][lane] = k_no_plane;
+        planes.wall_offset[k][lane] = k_meets_nothing;
     }
     // On steps, kerbs and rubble a ball meets what is highest under it, and as a wall what is higher than its
     // middle close by.

@@ -70,7 +70,10 @@ void step_rod(LooseRod& rod, const Surroundings& around, float dt) {
     }
     // Nothing is below ground, and what all but rests does.
     for (Vec3* end : {&rod.grip, &rod.tip}) end->y = std::max(end->y, ground_below(around, *end));
-    const bool rests = length(rod.grip - grip) < k_rests && length(rod.tip - tip) < k_rests;
+    // One that still stands on an end tips over, however slowly it begins to.
+    auto lies = [&](Vec3 end) { return end.y < ground_below(around, end) + k_rod_thick; };
+    const bool rests = length(rod.grip - grip) < k_rests && length(rod.tip - tip) < k_rests &&
+                       lies(rod.grip) && lies(rod.tip);
     rod.grip_before = rests ? rod.grip : grip;
     rod.tip_before = rests ? rod.tip : tip;
 }

@@ -42,7 +42,7 @@ struct alignas(64) TumblePlanes {
     float wall[k_ball_count][3][k_block], wall_offset[k_ball_count][k_block];
     int32_t has_walls = 0;
 };
-inline constexpr float k_no_plane = -1e6f;  // as an offset: there is none
+inline constexpr float k_meets_nothing = -1e6f;  // as an offset: there is none
 
 inline constexpr float k_comes_out = 0.8f;
 inline constexpr float k_grip = 0.7f;      // friction of clothes, skin and soles on ground and walls

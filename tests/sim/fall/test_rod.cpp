@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "sim/base/math.h"
@@ -63,6 +64,24 @@ TEST(Rods, FallLieAndAreTakenUpAgain) {
     EXPECT_LT(off_length, 0.02f);
     EXPECT_LT(jumps, 0.25f);
     EXPECT_LT(off_hand, 0.012f);
+}
+
+// However it is let go of, even all but upright.
+TEST(Rods, DoNotStand) {
+    Ground ground = square(12);
+    index_ground(ground);
+    const Surroundings around = surroundings_of(ground);
+    for (const float degrees : {0.5f, 2.0f, 8.0f, 20.0f, 60.0f}) {
+        LooseRod rod{.length = 0.8f};
+        rod.tip = {0, k_rod_thick, 0};
+        rod.grip = rotate(rotation_x(degrees * k_radians), Vec3{0, rod.length, 0}) + rod.tip;
+        rod.tip_before = rod.tip, rod.grip_before = rod.grip;
+        int ticks = 0;
+        for (; ticks < 600 && rod.grip.y > 0.04f; ++ticks) step_rod(rod, around, k_tick);
+        // A thin rod tips over in arcosh(90 / degrees) / sqrt(3 g / 2 l) seconds, about.
+        const double physical = std::acosh(90 / wide(degrees)) / std::sqrt(1.5 * 9.81 / 0.8);
+        EXPECT_NEAR(ticks / 60.0, physical, 0.35 + 0.3 * physical) << degrees << " degrees off upright";
+    }
 }
 
 }  // namespace
