@@ -56,7 +56,13 @@ void put(std::vector<Item>& list, const Item& item) {
     list.insert(take_away(list, item.walker), item);
 }
 
-// What the crowd has to know of it.
+// As free_hands of a PersonBlock counts them.
+int32_t full_hands(const World& w, const Companion& c) {
+    if (c.what == Along::white_cane || c.what == Along::umbrella) return 1 << k_right;
+    return c.what == Along::dog ? 1 << lead_hand(w, c.walker) : 3;
+}
+
+// What crowd and body have to know of it.
 void take_along(World& w, uint32_t i, Along what) {
     Alongside& a = *w.alongside;
     if (!has_room(a.companions) || (what == Along::dog && !has_room(a.dogs)) ||
@@ -78,6 +84,7 @@ void take_along(World& w, uint32_t i, Along what) {
     } else if (what == Along::white_cane) {
         who.preferred_speed[i] *= k_slower_blind;
     }
+    w.gait.people[i / k_block].free_hands[i % k_block] &= ~full_hands(w, *own_of(a.companions, i));
 }
 
 size_t room_for(const World& w, float share) {
@@ -169,6 +176,9 @@ void join_along(World& w, uint32_t walker) {
 void leave_along(World& w, uint32_t walker) {
     if (!w.alongside) return;
     Alongside& a = *w.alongside;
+    if (own_of(a.companions, walker))
+        w.gait.people[walker / k_block].free_hands[walker % k_block] =
+            free_hands_of(kind_of(w, walker).body.wear);
     (void)take_away(a.companions, walker);
     (void)take_away(a.dogs, walker);
     (void)take_away(a.chairs, walker);

@@ -61,7 +61,8 @@ void bring_palm(BodyPose& pose, const Holder& h, Side side, Vec3 palm, Vec3 elbo
 }
 
 Side lead_hand(const World& w, uint32_t i) {
-    return (w.gait.people[i / k_block].free_hands[i % k_block] & 1) != 0 ? k_left : k_right;
+    const Dog* dog = own_of(w.alongside->dogs, i);
+    return dog && dog->side > 0 ? k_left : k_right;
 }
 
 void hold_lead(const World& w, const Companion& c, BodyPose& pose) {

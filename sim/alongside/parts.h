@@ -14,7 +14,7 @@ void walk_dogs(World& world);
 // The dog of one who has just come, beside it.
 Dog make_dog(const World& world, uint32_t walker, int thread = 0);
 
-// Which hand a lead is in.
+// Which hand a lead is in: that on the dog's side.
 Side lead_hand(const World& world, uint32_t walker);
 
 // Wheels go by what their walkers did.

@@ -305,7 +305,8 @@ Dog make_dog(const World& w, uint32_t i, int thread) {
     dog.breed = static_cast<Breed>(random_bits(key, 11) % k_breeds);
     dog.coat = static_cast<uint32_t>(random_bits(key, 12) % 16);
     dog.size = random_between(key, 0.92f, 1.08f, 13);
-    const float side = lead_hand(w, i) == k_left ? 1.0f : -1.0f;
+    const bool has_left = (w.gait.people[i / k_block].free_hands[i % k_block] & 1 << k_left) != 0;
+    const float side = has_left ? 1.0f : -1.0f;
     dog.side = side * random_between(key, 0.55f, 0.75f, 14);
     dog.ahead = random_between(key, 0.1f, 0.75f, 15);
     dog.heading = m.heading[i];

@@ -44,6 +44,10 @@ static Stepper stepper_at(const Gait& gait, size_t i, const Surroundings& around
             .leg_length = person.joints[left_upper_leg][1][lane]};
 }
 
+int32_t free_hands_of(const Wear& wear) {
+    return wear.phone ? 1 : wear.bag == Bag::handbag ? 2 : 3;
+}
+
 // How far arms swing and bend with what the person carries, and the postures that pockets, bags and full
 // hands leave it.
 static void set_arms(PersonBlock& p, int lane, const Body& b, float scale, const Manner& m) {
@@ -76,7 +80,7 @@ static void set_arms(PersonBlock& p, int lane, const Body& b, float scale, const
     }
     if (wear.phone) never(Posture::clasp);
     for (int i = 0; i < k_posture_count; ++i) p.postures[i][lane] = likes[static_cast<size_t>(i)];
-    p.free_hands[lane] = wear.phone ? 1 : wear.bag == Bag::handbag ? 2 : 3;
+    p.free_hands[lane] = free_hands_of(wear);
     p.bag[lane] = static_cast<int32_t>(wear.bag);
 }
 

@@ -70,6 +70,8 @@ void start_walker(Gait& gait, size_t walker, const Body& body, float scale, Vec3
                   const Surroundings& around, uint64_t seed, const Manner& manner);
 // It walks in another manner from its next steps on.
 void change_manner(Gait& gait, size_t walker, const Body& body, float scale, const Manner& manner);
+// Which hands hold nothing, as PersonBlock::free_hands.
+int32_t free_hands_of(const Wear& wear);
 // Nobody has that number any more; its lane keeps a body that stands at the origin.
 void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed);
 
