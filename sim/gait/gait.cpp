@@ -44,9 +44,7 @@ static Stepper stepper_at(const Gait& gait, size_t i, const Surroundings& around
             .leg_length = person.joints[left_upper_leg][1][lane]};
 }
 
-int32_t free_hands_of(const Wear& wear) {
-    return wear.phone ? 1 : wear.bag == Bag::handbag ? 2 : 3;
-}
+int32_t free_hands_of(const Wear& wear) { return wear.phone ? 1 : wear.bag == Bag::handbag ? 2 : 3; }
 
 // How far arms swing and bend with what the person carries, and the postures that pockets, bags and full
 // hands leave it.
