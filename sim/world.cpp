@@ -427,6 +427,7 @@ void set_drunk(World& w, float drunk) {
         const uint32_t i = id.index, kind = w.crowd.identity.body[i];
         change_manner(w.gait, i, w.kinds[kind].body, w.crowd.identity.scale[i], manner_of(w, i));
         set_lamp_manner(w, i);
+        if (companion_of(w, i)) join_along(w, i);  // whose hands stay full
     }
 }
 

@@ -56,12 +56,6 @@ void put(std::vector<Item>& list, const Item& item) {
     list.insert(take_away(list, item.walker), item);
 }
 
-// As free_hands of a PersonBlock counts them.
-int32_t full_hands(const World& w, const Companion& c) {
-    if (c.what == Along::white_cane || c.what == Along::umbrella) return 1 << k_right;
-    return c.what == Along::dog ? 1 << lead_hand(w, c.walker) : 3;
-}
-
 // What crowd and body have to know of it.
 void take_along(World& w, uint32_t i, Along what) {
     Alongside& a = *w.alongside;
@@ -84,7 +78,7 @@ void take_along(World& w, uint32_t i, Along what) {
     } else if (what == Along::white_cane) {
         who.preferred_speed[i] *= k_slower_blind;
     }
-    w.gait.people[i / k_block].free_hands[i % k_block] &= ~full_hands(w, *own_of(a.companions, i));
+    fill_hands(w, *own_of(a.companions, i));
 }
 
 size_t room_for(const World& w, float share) {
@@ -125,6 +119,12 @@ void take_hold(World& w) {
 }
 
 }  // namespace
+
+void fill_hands(World& w, const Companion& c) {
+    const bool is_right = c.what == Along::white_cane || c.what == Along::umbrella;
+    const int32_t full = is_right ? 1 << k_right : c.what == Along::dog ? 1 << lead_hand(w, c.walker) : 3;
+    w.gait.people[c.walker / k_block].free_hands[c.walker % k_block] &= ~full;
+}
 
 bool can_be_called(const World& w, uint32_t i) {
     return is_there(w.crowd, i) && !is_down(w.crowd, i) && !is_led(w.crowd, i) &&
@@ -168,7 +168,7 @@ void change_along(World& w, const AlongShares& shares) {
 void join_along(World& w, uint32_t walker) {
     if (!w.alongside) return;
     const Companion* own = own_of(w.alongside->companions, walker);
-    if (own && own->generation == w.crowd.slots.generation[walker]) return;
+    if (own && own->generation == w.crowd.slots.generation[walker]) return fill_hands(w, *own);
     leave_along(w, walker);
     if (const auto what = draw(w, walker)) take_along(w, walker, *what);
 }

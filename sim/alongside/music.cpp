@@ -105,8 +105,9 @@ void set_player(World& w, uint32_t number) {
         const uint32_t i = id->index;
         leave_along(w, i);
         const auto what = static_cast<Along>(static_cast<uint32_t>(Along::guitar) + number % 3);
-        a.companions.insert(take_away(a.companions, i), Companion{i, id->generation, what, 1});
-        w.gait.people[i / k_block].free_hands[i % k_block] = 0;
+        const Companion own{i, id->generation, what, 1};
+        a.companions.insert(take_away(a.companions, i), own);
+        fill_hands(w, own);
         const Vec2 at = on_ground(w.crowd.motion.position[i]);
         Player p;
         p.walker = i, p.generation = id->generation;

@@ -14,6 +14,8 @@ void walk_dogs(World& world);
 // The dog of one who has just come, beside it.
 Dog make_dog(const World& world, uint32_t walker, int thread = 0);
 
+// What one has is in its hands, which are free for nothing else.
+void fill_hands(World& world, const Companion& companion);
 // Which hand a lead is in: that on the dog's side.
 Side lead_hand(const World& world, uint32_t walker);
 
