@@ -11,6 +11,7 @@
 #include "sim/fall/lane.h"
 #include "sim/fall/limbs.h"
 #include "sim/fall/settle.h"
+#include "sim/loose_canes.h"
 #include "sim/stepping.h"
 #include "sim/world.h"
 
@@ -128,6 +129,11 @@ void prepare_fall(World& w, const Fall& f) {
     aim_fall(falls.aims[b], own, falls.blocks[b], f.stood, f.to,
              static_cast<float>(w.tick - f.began) * k_tick, f.lain);
     find_planes(falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin, w.around, f.floor);
+    constexpr float k_followed = 0.12f;  // metres
+    const Vec2 place = on_ground(w.crowd.motion.position[f.walker]),
+               off = on_ground(body_pose_of(w.previous_poses, f.walker).hips) - place;
+    if (length(off) > k_followed)
+        hold_back(falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin, place, off / length(off));
     for_fallen_near(w, f, [&](const Fall& other) {
         meet_body(falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin, in_the_way(w, other));
     });
@@ -149,13 +155,23 @@ void fall_on(World& w, Fall& f) {
                   body_pose_of(block, own, f.segments, f.residue, f.origin));
 }
 
-// Where the crowd has it goes along the mesh towards `to`, onto ground up to `up` metres higher.
-void move_root(World& w, uint32_t walker, Vec2 to, float up) {
-    CrowdMotion& m = w.crowd.motion;
+// Where one comes to from a place towards another: along the mesh, or on a course, of which there is none, as
+// far as there is ground about as high, beside its way.
+NavPoint follow_to(const World& w, uint32_t walker, Vec2 to) {
+    const CrowdMotion& m = w.crowd.motion;
     const NavPoint from{m.position[walker], m.polygon[walker]};
     const Vec3 there = at_height(to, from.position.y);
-    const NavPoint end = is_on_course(w) ? NavPoint{there, from.polygon}  // to where there may be no mesh
-                                         : move_along(*w.navmesh, 0, from, there, by_of(w.crowd, walker));
+    if (!is_on_course(w)) return move_along(*w.navmesh, 0, from, there, by_of(w.crowd, walker));
+    constexpr float k_above = 1, k_level = 0.25f;  // metres
+    const auto hit = ground_at(w.around, there, k_above, k_level);
+    const bool is_level = hit && is_walked(hit->kind) && hit->height < from.position.y + k_level;
+    return is_level && is_by_way(w, walker, there) ? NavPoint{there, from.polygon} : from;
+}
+
+// Where the crowd has it goes there, onto ground up to `up` metres higher.
+void move_root(World& w, uint32_t walker, Vec2 to, float up) {
+    CrowdMotion& m = w.crowd.motion;
+    const NavPoint end = follow_to(w, walker, to);
     m.position[walker] = end.position;
     m.polygon[walker] = end.polygon;
     if (const auto hit = ground_at(w.around, end.position, up, 1.5f)) {
@@ -217,6 +233,20 @@ void find_stance(World& w, Fall& f) {
     set_body_pose(w.previous_poses, person_of(w, f), f.walker, drawn);
 }
 
+// From hands and knees, where it will stand is where the foot that it sets down next can stay.
+void find_stand(World& w, Fall& f) {
+    const PersonBlock& person = person_of(w, f);
+    const int lane = lane_in_gait(f);
+    float& heading = w.crowd.motion.heading[f.walker];
+    const float turned = heading;
+    find_stance(w, f);
+    heading = turned;
+    const BodyPose kneels = end_of(RiseStage::kneel, f.lie, person, lane, f.hips_at);
+    const Vec3 sets = places_of(kneels, person, lane)[left_foot],
+               stands = places_of(f.stance, person, lane)[left_foot];
+    f.stands_at = on_ground(w.crowd.motion.position[f.walker]) + on_ground(sets - stands);
+}
+
 // What of a body rests on the ground in a stage, `t` of the way through it to `end`.
 Rests rests_of(const Fall& f, const BodyPose& end, const PersonBlock& person, int lane, float t,
                float risen_for) {
@@ -267,14 +297,15 @@ void rise_on(World& w, Fall& f) {
     if (f.stage == RiseStage::stand) {
         end = stance_of(w, f);
         pose = mixed(f.from, end, t);
-        // The foot that was set down stays; the other one is lifted, and set down beside it.
-        constexpr float k_lifts = 0.13f;  // of the leg
+        // The foot that was set down stays; once the body is over it the other one is lifted, and set down
+        // beside it.
+        constexpr float k_lifts = 0.13f, k_leaves = 0.3f;  // of the leg; of the time
         const auto began = places_of(f.from, person, lane), ends = places_of(end, person, lane);
-        auto ankle = [&](Joint foot, float lift) {
-            return lerp(began[foot], ends[foot], t) + Vec3{0, 4 * t * (1 - t) * lift, 0};
-        };
-        reach_with_leg(pose, person, lane, k_left, ankle(left_foot, 0));
-        reach_with_leg(pose, person, lane, k_right, ankle(right_foot, k_lifts * leg_of(w, f.walker)));
+        const float goes = smoothstep(k_leaves, 1, f.share),
+                    lift = 4 * goes * (1 - goes) * k_lifts * leg_of(w, f.walker);
+        reach_with_leg(pose, person, lane, k_left, lerp(began[left_foot], ends[left_foot], t));
+        reach_with_leg(pose, person, lane, k_right,
+                       lerp(began[right_foot], ends[right_foot], goes) + Vec3{0, lift, 0});
     } else {
         end = end_of(f.stage, f.lie, person, lane, f.hips_at);
         end.hips.y += w.crowd.motion.position[f.walker].y;
@@ -282,8 +313,18 @@ void rise_on(World& w, Fall& f) {
     }
     // Limbs that were set on the ground may have come to a wall; on steps they stay where they stand. Who has
     // been moved aside goes on from there: limbs are bound to where they were, and must not fall behind.
+    // Nobody is moved beyond where one can walk, and who lies at its edge gets up from there.
     auto keep_off = [&] {
-        const Vec3 aside = keep_off_walls(pose, f.segments, person, lane, w.around);
+        constexpr float k_edge = 0.35f, k_crawls = 0.008f;  // metres from the place; a tick
+        Vec3 aside = keep_off_walls(pose, f.segments, person, lane, w.around);
+        const Vec2 off = on_ground(pose.hips - w.crowd.motion.position[f.walker]);
+        const float far = length(off);
+        if (far > k_edge) {
+            const float out = std::max(dot(on_ground(aside), off) / far, 0.0f);
+            const Vec3 back = at_height(off * (-std::min(far - k_edge, out + k_crawls) / far), 0);
+            pose.hips += back;
+            aside += back;
+        }
         f.hips_at += on_ground(aside);
         f.from.hips += aside;
     };
@@ -310,60 +351,12 @@ void change_phase(World& w, Fall& f) {
     } else if (f.phase == FallPhase::lies) {
         if (w.tick >= f.rises_at && !is_awaited(w, f) && !is_lain_on(w, f)) begin_to_rise(w, f);
     } else if (f.stage < RiseStage::stand) {
+        if (f.share == 0 && f.stage == RiseStage::kneel) find_stand(w, f);
         turn_root(w, f);
     } else if (f.share == 0 && f.stage == RiseStage::stand) {
         find_stance(w, f);
     }
     if (f.phase != FallPhase::sways) lie_across(w.crowd, lying(w, f));
-}
-
-// Where a hand holds a cane.
-Vec3 palm_at(const World& w, uint32_t walker, const JointPose& hand) {
-    constexpr Vec3 k_palm{-0.006f, -0.049f, 0.014f};  // of the height, from the wrist
-    const float height = w.gait.people[walker / k_block].height[walker % k_block];
-    return hand.position + rotate(hand.rotation, k_palm * height);
-}
-// Unit: from one direction to another.
-Vec3 nlerp_way(Vec3 from, Vec3 to, float t) {
-    const Vec3 a = normalize_or(from, {0, -1, 0}), b = normalize_or(to, {0, -1, 0});
-    return normalize_or(lerp(a, b, t), b);
-}
-
-// The cane of one who falls leaves its hand; who gets up draws it to that hand, and takes it along.
-void step_cane(World& w, const Fall& f) {
-    const Cane* cane = own_of(w.gait.canes, f.walker);
-    if (!cane || f.phase == FallPhase::sways) return;
-    LooseRod* rod = own_of(w.falls.rods, f.walker);
-    const JointPose hand = joint_pose(w.poses, f.walker, right_hand);
-    const Vec3 palm = palm_at(w, f.walker, hand), tip = hand.position + rotate(hand.rotation, cane->tip_hs);
-    if (!rod) {
-        LooseRod loose;
-        loose.walker = f.walker;
-        loose.length = length(tip - palm);
-        loose.grip = palm, loose.tip = tip;
-        loose.turn = hand.rotation;
-        const JointPose was = joint_pose(w.previous_poses, f.walker, right_hand);
-        loose.grip_before = palm_at(w, f.walker, was);
-        loose.tip_before = was.position + rotate(was.rotation, cane->tip_hs);
-        rod = &*w.falls.rods.insert(take_away(w.falls.rods, f.walker), loose);
-    }
-    const bool takes = f.phase == FallPhase::rises && f.stage >= RiseStage::fours;
-    const Vec3 was = rod->tip - rod->grip;
-    if (!takes) {
-        step_rod(*rod, w.around, k_tick);
-        return turn_rod(*rod, was);
-    }
-    constexpr float k_takes = 0.9f;  // seconds, in which the hand finds it
-    rod->held = 1;
-    rod->share = std::min(rod->share + k_tick / k_takes, 1.0f);
-    const float t = smoothstep(0, 1, rod->share);
-    // The nearer it is to being held, the more it goes with the hand.
-    drag_rod(*rod, w.around, lerp(rod->grip, palm, t * t));
-    if (f.stage < RiseStage::stand) return turn_rod(*rod, was);
-    const Vec3 way = nlerp_way(rod->tip - rod->grip, tip - palm, smoothstep(0, 1, f.share));
-    point_rod(*rod, w.around, way);
-    turn_rod(*rod, was);
-    rod->turn = nlerp(rod->turn, hand.rotation, smoothstep(0, 1, f.share));
 }
 
 bool is_done(const Fall& f) {

@@ -233,15 +233,26 @@ bool can_fall(const World& w, uint32_t walker) {
     if (!is_on_course(w)) return true;  // the mesh holds it
     const Vec3 at = w.crowd.motion.position[walker];
     if (mover_below(w.movers, at, 0.3f, 0.3f)) return false;
-    for (const float away : {0.35f, 0.7f, 1.1f})
+    for (const float away : {0.35f, 0.7f, 1.1f, 1.5f})
         for (int k = 0; k < 8; ++k) {
             const Vec2 way = heading_direction(k_pi / 4 * static_cast<float>(k)) * away;
             const auto hit = ground_at(*w.stepping->ground, at + at_height(way, 0), 1, 1);
-            if (!hit || hit->height > at.y + k_tread + k_steep * away ||
+            if (!hit || !is_walked(hit->kind) || hit->height > at.y + k_tread + k_steep * away ||
                 hit->height < at.y - k_tread - k_drops * away)
                 return false;
         }
     return true;
+}
+
+bool is_by_way(const World& w, uint32_t walker, Vec3 place) {
+    constexpr float k_beside = 0.6f;  // metres
+    const Bipeds& bipeds = w.stepping->bipeds;
+    const auto n = std::ranges::lower_bound(bipeds.walkers, walker) - bipeds.walkers.begin();
+    const BipedWay& way = bipeds.ways[bipeds.all[static_cast<size_t>(n)].way];
+    auto off = [&](Vec3 at) {
+        return length(point_on(way, nearest_along(way, on_ground(at))).place - on_ground(at));
+    };
+    return off(place) <= std::max(k_beside, off(w.crowd.motion.position[walker]));
 }
 
 void look_at(World& w, std::optional<Vec3> place) {

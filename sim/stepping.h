@@ -48,6 +48,8 @@ void shove(World& world, uint32_t walker, Vec2 change);
 bool can_fall(const World& world, uint32_t walker);
 
 // Whether everybody is on a course, or this one steps now.
+// Whether a place is not far off the way of one who steps, or no farther than it is already.
+bool is_by_way(const World& world, uint32_t walker, Vec3 place);
 inline bool is_on_course(const World& world) { return world.stepping && world.stepping->is_everybody; }
 bool is_stepping(const World& world, uint32_t walker);
 

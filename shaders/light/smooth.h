@@ -1,6 +1,7 @@
-// Anti-aliasing after Lottes' FXAA 3.11 (NVIDIA 2009), quality path, by whole pixels alone, in the words of light.h.
-// Whoever includes it has `frame` and
-//   real luma_near(int x, int y)  of the picture before, 0..255, of the pixel so far right and down of the one at hand
+// Anti-aliasing after Lottes' FXAA 3.11 (NVIDIA 2009), quality path, by whole pixels alone, in the words of
+// light.h. Whoever includes it has `frame` and
+//   real luma_near(int x, int y)  of the picture before, 0..255, of the pixel so far right and down of the
+//   one at hand
 
 // Of which neighbour a pixel takes something, and how much.
 struct Smoothing {
@@ -33,7 +34,8 @@ SHARED EdgeEnd end_of_edge(int ahead, truth is_level, real to, real edge, real c
 // x, y: of the pixel. The picture's border stays as it is.
 SHARED Smoothing smoothing_at(real x, real y) {
     real one = real(1.0f), nothing = real(0.0f);
-    real m = luma_near(0, 0), n = luma_near(0, -1), s = luma_near(0, 1), w = luma_near(-1, 0), e = luma_near(1, 0);
+    real m = luma_near(0, 0), n = luma_near(0, -1), s = luma_near(0, 1), w = luma_near(-1, 0),
+         e = luma_near(1, 0);
     real high = max(m, max(max(n, s), max(w, e))), low = min(m, min(min(n, s), min(w, e)));
     real contrast = high - low;
     real right = real(frame.screen.x) - one - x, below = real(frame.screen.y) - one - y;
@@ -54,7 +56,8 @@ SHARED Smoothing smoothing_at(real x, real y) {
     real nearest = select(is_back, back.steps, on.steps), off = select(is_back, back.off, on.off);
     // Not beyond the edge's end, where both lie on one side of the mean.
     real side = select(m < other, real(-1.0f), one), end_side = select(off < nothing, real(-1.0f), one);
-    real share = select(side * end_side < nothing, real(0.5f) - nearest / max(back.steps + on.steps, one), nothing);
+    real share =
+        select(side * end_side < nothing, real(0.5f) - nearest / max(back.steps + on.steps, one), nothing);
 
     // Specks: as much as the pixel differs from its neighbourhood.
     real speck = min(abs(n + s + w + e - m * real(4.0f)) * real(0.25f) / max(contrast, one), one);

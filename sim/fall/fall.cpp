@@ -41,6 +41,8 @@ constexpr Haste k_stiff = {16, 16, 8, 26}, k_guarded = {12, 14, 13, 9}, k_loose 
 constexpr float k_stays = 0.12f, k_guards = 0.35f;  // seconds until one has felt it, and until arms go out
 constexpr float k_slackens = 0.8f;                  // seconds
 
+constexpr int k_trunk_balls = 7;  // the first: pelvis, belly, thorax, skull
+
 bool is_limb(int s, int left, int right, int parts) {
     return (s >= left && s < left + parts) || (s >= right && s < right + parts);
 }
@@ -104,7 +106,7 @@ void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
         set_row(aims.turn[s], lane, turn);
         aims.haste[s][lane] =
             lerp(lerp(pick(k_stiff, s), pick(k_guarded, s), feels), pick(k_loose, s), slack);
-        aims.drag[s][lane] = lerp(8, 40, slack);
+        aims.drag[s][lane] = lerp(8, 15, slack);
     }
 }
 
@@ -203,11 +205,27 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
     if (!closest_wall(around, at[0], k_near_wall)) return;
     for (int k = 0; k < k_ball_count; ++k) {
         const float reach = shapes.radius[k][lane] + 0.1f + k_foreseen * length(moving[k]);
-        const auto wall = closest_wall(around, at[k], reach);
+        const auto wall = wall_beside(around, at[k], reach);
         if (!wall) continue;
         planes.has_walls = 1;
         set_row(planes.wall[k], lane, wall->normal);
         planes.wall_offset[k][lane] = dot(wall->normal, wall->point - origin);
+    }
+}
+
+void hold_back(TumblePlanes& planes, int lane, const TumbleBlock& block, const TumbleShapes& shapes,
+               Vec3 origin, Vec2 place, Vec2 out) {
+    constexpr float k_trunk = 0.3f, k_limbs = 0.7f;  // metres beyond the place
+    const Vec3 normal = at_height(-out, 0);
+    planes.has_walls = 1;
+    for (int k = 0; k < k_ball_count; ++k) {
+        const Vec2 edge = place + out * (k < k_trunk_balls ? k_trunk : k_limbs);
+        const float offset = dot(normal, at_height(edge, origin.y) - origin);
+        const Vec3 ball = ball_motion(block, shapes, k, lane).place;
+        const float has = dot(row_of(planes.wall[k], lane), ball) - planes.wall_offset[k][lane];
+        if (has < dot(normal, ball) - offset) continue;
+        set_row(planes.wall[k], lane, normal);
+        planes.wall_offset[k][lane] = offset;
     }
 }
 
@@ -220,7 +238,6 @@ float liveliness(const TumbleBlock& block, const TumbleShapes& shapes, int lane)
 
 bool is_down(const TumbleBlock& block, const TumbleShapes& shapes, const TumblePlanes& planes, int lane) {
     constexpr float k_touch = 0.03f;
-    constexpr int k_trunk_balls = 7;  // the first: pelvis, belly, thorax, skull
     for (int k = 0; k < k_trunk_balls; ++k) {
         const Vec3 middle = ball_motion(block, shapes, k, lane).place;
         const float clear = dot(row_of(planes.normal[k], lane), middle) - planes.offset[k][lane];

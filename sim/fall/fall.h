@@ -22,6 +22,11 @@ std::array<Quat, k_segment_count> turns_of(const TumbleBlock& block, int lane);
 void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const TumbleShapes& shapes,
                  Vec3 origin, const Surroundings& around, float floor);
 
+// Where it cannot be followed: its trunk comes no more than an arm's width farther `out`, unit, than the
+// place, and its limbs little more, as if a low wall stood there; of two walls a ball meets the nearer one.
+void hold_back(TumblePlanes& planes, int lane, const TumbleBlock& block, const TumbleShapes& shapes,
+               Vec3 origin, Vec2 place, Vec2 out);
+
 // The fastest that anything of the lane moves, m/s.
 float liveliness(const TumbleBlock& block, const TumbleShapes& shapes, int lane);
 

@@ -16,16 +16,6 @@ float ground_below(const Surroundings& around, Vec3 at) {
     return hit ? hit->height + k_rod_thick : at.y - k_down;
 }
 
-// Both ends by half of what their way apart is off.
-void keep_length(LooseRod& rod) {
-    const Vec3 along = rod.tip - rod.grip;
-    const float far = length(along);
-    if (far < 1e-4f) return;
-    const Vec3 by = along * (0.5f * (1 - rod.length / far));
-    rod.grip += by;
-    rod.tip -= by;
-}
-
 void keep_above(const Surroundings& around, Vec3& end, Vec3 before) {
     const float floor = ground_below(around, end);
     if (end.y >= floor) return;
@@ -36,58 +26,47 @@ void keep_above(const Surroundings& around, Vec3& end, Vec3 before) {
     end.y = floor;
 }
 
-void lay_tip(LooseRod& rod, Vec3 tip) {
-    // Where the ground pushes it up it is as long as ever.
+// The tip there or where the ground pushes it up to, a length from the grip.
+void lay_tip(LooseRod& rod, const Surroundings& around, Vec3 tip) {
+    tip.y = std::max(tip.y, ground_below(around, tip));
     const Vec3 grip = rod.grip;
     const float down = clamp(grip.y - tip.y, -rod.length, rod.length);
     const Vec2 way = normalize_or(on_ground(tip - grip), {0, 1});
     rod.tip = grip + at_height(way * std::sqrt(std::max(rod.length * rod.length - down * down, 0.0f)), -down);
 }
 
+void hold(LooseRod& rod, const Surroundings& around, Vec3 grip) {
+    rod.grip_before = rod.grip;
+    rod.grip = {grip.x, std::max(grip.y, ground_below(around, grip)), grip.z};
+}
+
 }  // namespace
 
-void point_rod(LooseRod& rod, const Surroundings& around, Vec3 way) {
-    Vec3 tip = rod.grip + way * rod.length;
-    tip.y = std::max(tip.y, ground_below(around, tip));
-    lay_tip(rod, tip);
-}
-
-void turn_rod(LooseRod& rod, Vec3 was) {
-    const Vec3 from = normalize_or(was, {0, -1, 0}), to = normalize_or(rod.tip - rod.grip, from);
-    rod.turn = normalize(rotation_between(from, to) * rod.turn);
-}
-
-void step_rod(LooseRod& rod, const Surroundings& around, float dt) {
-    const Vec3 falls{0, -k_gravity * dt * dt, 0};
-    constexpr float k_air = 0.995f, k_rests = 0.0006f;  // metres a tick
-    const Vec3 grip = rod.grip, tip = rod.tip;
-    rod.grip += (grip - rod.grip_before) * k_air + falls;
-    rod.tip += (tip - rod.tip_before) * k_air + falls;
-    for (int k = 0; k < 4; ++k) {
-        keep_above(around, rod.grip, grip);
-        keep_above(around, rod.tip, tip);
-        keep_length(rod);
-    }
-    // Nothing is below ground, and what all but rests does.
-    for (Vec3* end : {&rod.grip, &rod.tip}) end->y = std::max(end->y, ground_below(around, *end));
-    // One that still stands on an end tips over, however slowly it begins to.
-    auto lies = [&](Vec3 end) { return end.y < ground_below(around, end) + k_rod_thick; };
-    const bool rests = length(rod.grip - grip) < k_rests && length(rod.tip - tip) < k_rests &&
-                       lies(rod.grip) && lies(rod.tip);
-    rod.grip_before = rests ? rod.grip : grip;
-    rod.tip_before = rests ? rod.tip : tip;
-}
-
-void drag_rod(LooseRod& rod, const Surroundings& around, Vec3 grip) {
-    rod.grip_before = rod.grip;
-    rod.tip_before = rod.tip;
-    rod.grip = grip;
-    Vec3 tip = rod.tip - Vec3{0, 0.6f * k_gravity / 60, 0} * 0.2f;
+void swing_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, float dt) {
+    constexpr float k_air = 0.985f;     // of how it moves, a tick: fingers are about it
+    constexpr float k_thin_rod = 1.5f;  // of the gravity of a weight at its tip
+    hold(rod, around, grip);
+    const Vec3 was = rod.tip;
+    Vec3 tip = was + (was - rod.tip_before) * k_air - Vec3{0, k_thin_rod * k_gravity * dt * dt, 0};
     for (int k = 0; k < 3; ++k) {
-        tip = grip + normalize_or(tip - grip, {0, -1, 0}) * rod.length;
-        tip.y = std::max(tip.y, ground_below(around, tip));
+        tip = rod.grip + normalize_or(tip - rod.grip, {0, -1, 0}) * rod.length;
+        keep_above(around, tip, was);
     }
-    lay_tip(rod, tip);
+    lay_tip(rod, around, tip);
+    rod.tip_before = was;
+}
+
+void point_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, Vec3 way, float by) {
+    const Vec3 now = normalize_or(rod.tip - rod.grip, way);
+    hold(rod, around, grip);
+    rod.tip_before = rod.tip;
+    const Quat turn = nlerp({}, rotation_between(now, way), by);
+    lay_tip(rod, around, rod.grip + rotate(turn, now) * rod.length);
+}
+
+void turn_rod(LooseRod& rod, Vec3 hangs) {
+    const Vec3 from = rotate(rod.turn, hangs), to = normalize_or(rod.tip - rod.grip, from);
+    rod.turn = normalize(rotation_between(from, to) * rod.turn);
 }
 
 }  // namespace flaneur

@@ -374,7 +374,7 @@ Vec3 keep_off_walls(BodyPose& pose, const Segments& segments, const PersonBlock&
         float deepest = 0;
         Vec3 out{};
         for (size_t k = 0; k < k_ball_count; ++k) {
-            const auto wall = closest_wall(around, balls[k], k_near);
+            const auto wall = wall_beside(around, balls[k], k_near);
             if (!wall) continue;
             const float deep = segments.radius[k] - dot(balls[k] - wall->point, wall->normal);
             // What is behind a wall farther than that is on its other side, by itself.

@@ -36,4 +36,12 @@ std::optional<WallPoint> closest_wall(const Surroundings& around, Vec3 point, fl
     return around.wall(around.asked, point, radius);
 }
 
+std::optional<WallPoint> wall_beside(const Surroundings& around, Vec3 point, float radius) {
+    constexpr float k_at_top = 0.1f, k_down = 3;  // metres
+    const auto wall = closest_wall(around, point, radius);
+    if (!wall || point.y <= wall->point.y || dot(point - wall->point, wall->normal) >= 0) return wall;
+    const auto below = ground_at(around, point, 0, k_down);
+    return below && below->height > wall->point.y - k_at_top ? std::nullopt : wall;
+}
+
 }  // namespace flaneur

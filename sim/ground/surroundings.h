@@ -27,5 +27,8 @@ std::optional<GroundHit> ground_at(const Surroundings& around, Vec3 point, float
 void ground_at(const Surroundings& around, std::span<const Vec3> points, float up, float down,
                std::optional<GroundHit>* hits);
 std::optional<WallPoint> closest_wall(const Surroundings& around, Vec3 point, float radius);
+// The same of a wall that one is beside: none where that is a drop, as of a quay, and one is on the ground at
+// its top.
+std::optional<WallPoint> wall_beside(const Surroundings& around, Vec3 point, float radius);
 
 }  // namespace flaneur

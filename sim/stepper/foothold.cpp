@@ -13,7 +13,6 @@ constexpr float k_up = 0.31f, k_down = 0.3f;  // legs, that a foot is set above 
 constexpr float k_longest = 0.9f;             // legs, between two feet, less what height takes of it
 constexpr float k_least_beside = 0.085f, k_least_before = 0.3f;  // metres between ankles, of a leg of 0.9 m
 constexpr float k_crosses = 0.02f;            // metres that feet may come beyond each other's line
-constexpr float k_others = 0.36f;             // metres from feet of others
 constexpr float k_progress = 0.1f;            // metres, the least worth a step, off the place wanted
 constexpr float k_near = 0.06f;               // metres that a sole may be off the ground in places
 constexpr float k_on_it = 0.02f;              // metres that a place may be off what bears it
@@ -110,7 +109,7 @@ bool suits(const StandingOn& on, const Seeker& who, const FootPlace& place) {
     if (!is_walked_under(on, who, place)) return false;
     if (!who.has_other) return true;
     for (size_t n = 0; n < who.others.size(); ++n)
-        if (n / 3 != who.own && length(on_ground(place.position) - who.others[n]) < k_others) return false;
+        if (n / 3 != who.own && length(on_ground(place.position) - who.others[n]) < who.apart) return false;
     const Vec3 way = place.position - who.other_now.place;
     const Vec2 flat = on_ground(way);
     if (way.y > k_up * who.leg || way.y < -k_down * who.leg) return false;

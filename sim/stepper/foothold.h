@@ -30,6 +30,7 @@ struct Seeker {
     std::span<const Vec2> others;
     size_t own = 0;
     bool is_flat = false;  // feet may stand side by side in one place
+    float apart = 0.36f;   // metres that it keeps from feet of others
     bool gathers = false;  // it may come down wherever it is, if only beside the other
 };
 

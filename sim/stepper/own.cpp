@@ -13,8 +13,16 @@ namespace {
 // the point goes while both are down.
 constexpr float k_reach_still = 0.17f, k_reach_steps = 1.08f;
 constexpr float k_quickest = 0.4f, k_slowest_step = 0.66f;  // seconds of a step, of a leg of 0.9 m
+// Who is crowded in steps anywhere, at last between feet of others: seconds, metres.
+constexpr float k_crowded = 3, k_squeezed = 0.1f;
 constexpr float k_higher = 0.9f,
                 k_farther = 0.25f;  // seconds more for each metre up or down, and of it at most
+
+// Whoever was shoved steps wherever the point is.
+bool is_led_back(const Own& o) {
+    constexpr float k_behind = 0.15f;  // metres
+    return o.b.reels > 0 || dot(o.b.point - o.b.body, o.b.ahead) < -k_behind;
+}
 
 }  // namespace
 
@@ -56,7 +64,7 @@ float off(const Own& o, Side side, Vec2 place) {
     const Vec2 here = on_ground(at.place), ahead = heading_direction(at.yaw),
                wanted = heading_direction(yaw_of(o, side, 0));
     auto far = [&](Vec2 way) {
-        return length(o.b.reels > 0 ? way : way - o.b.ahead * std::min(dot(way, o.b.ahead), 0.0f));
+        return length(is_led_back(o) ? way : way - o.b.ahead * std::min(dot(way, o.b.ahead), 0.0f));
     };
     return std::max(far(place - here), far(place + wanted * ball - here - ahead * ball));
 }
@@ -93,7 +101,8 @@ Seeker seeker(const Own& o, Side side) {
     who.is_flat = o.bipeds.is_flat;
     who.others = o.bipeds.was_feet;
     who.own = o.number;
-    who.gathers = o.b.reels > 0;
+    who.gathers = is_led_back(o) || o.b.kept > k_crowded;
+    who.apart = lerp(who.apart, k_squeezed, smoothstep(k_crowded, 2 * k_crowded, o.b.kept));
     return who;
 }
 

@@ -106,11 +106,12 @@ SetDown make_bipeds(std::vector<BipedWay> ways, std::span<const uint32_t> walker
 
 // Metres along a way of its nearest place to which one comes straight on level ground from where one stands,
 // or else of the nearest.
-static float way_back(const BipedWay& way, const Ground& ground, Vec3 from) {
-    constexpr float k_apart = 0.25f, k_level = 0.2f;  // metres
+static float way_back(const BipedWay& way, const Surroundings& around, Vec3 from) {
+    constexpr float k_apart = 0.25f, k_level = 0.2f, k_head_room = 3;  // metres
+    // And not below stairs or bridges that the way goes over.
     auto is_level = [&](Vec2 place) {
-        const auto hit = ground_at(ground, at_height(place, from.y), k_level, k_level);
-        return hit && is_walked(hit->kind);
+        const auto hit = ground_at(around, at_height(place, from.y), k_head_room, k_level);
+        return hit && is_walked(hit->kind) && hit->height < from.y + k_level;
     };
     float best = nearest_along(way, on_ground(from)), least = 1e9f;
     for (float along = 0; along < way.along.back(); along += k_apart) {
@@ -132,13 +133,14 @@ void go_on_standing(Bipeds& bipeds, size_t i, Vec2 body, float heading, const Mo
     const Own o = own_of(bipeds, i, gait, on);
     b.is_down = 0;
     b.body = b.point = body;
-    b.along = way_back(bipeds.ways[b.way], *ground.ground, at_height(body, o.g.base[o.lane]));
+    b.along = way_back(bipeds.ways[b.way], around, at_height(body, o.g.base[o.lane]));
     b.aside = 0;
     b.heading = heading;
     b.ahead = heading_direction(heading);
     b.velocity = {};
     b.speed = b.turn_rate = b.due = 0;
     b.waits = 0;
+    b.kept = 0;
     b.reels = 0;
     b.swings = k_both_down;
     for (const Side side : {k_left, k_right})

@@ -17,20 +17,23 @@ namespace {
 constexpr float k_both_least = 0.22f;                 // of a step's time, that both are down at least
 constexpr float k_both_reeling = 0.06f;               // seconds, the same of who was pushed
 constexpr float k_lead = 0.62f, k_lead_eases = 0.2f;  // legs that the point is ahead of the body at most
+constexpr float k_leads_most = 0.8f;                  // the same, wherever it has come to
 constexpr float k_hangs = 0.07f;  // legs that it draws the body off the middle of the feet
 constexpr float k_follows = 6;    // 1/s, of the body
 constexpr float k_speeds_up = 0.9f, k_slows_down = 1.6f;             // m/s2, of the point
 constexpr float k_turns = 1.5f, k_turns_in = 6, k_turn_gain = 3.5f;  // rad/s, rad/s2, 1/s
 constexpr float k_apart = 0.56f, k_apart_eases = 0.9f;               // metres from who is ahead
-constexpr float k_goes_aside = 0.4f;                                 // m/s, off its way and back
-constexpr float k_brakes = 4;                                        // m/s2, of who finds no place
-constexpr float k_just_below = 1e-4f, k_phase_rate = 4.5f;           // as the gait has them
-constexpr float k_lifts_rate = 2, k_heel_down = 0.3f;                // of who stands
-constexpr float k_stands_below = 0.07f;                              // m/s
-constexpr uint32_t k_look_again = 5;                                 // ticks, of one who waits
-constexpr float k_astride = 0.33f;                                   // legs, between feet of who stands
-constexpr float k_careful = 0.02f;                                   // metres that feet rise higher
-constexpr float k_tread = 0.07f, k_lets_down = 0.07f;                // metres, from which on it is a step
+constexpr float k_astray = 0.25f,
+                k_astray_most = 1;    // metres off its way, from which it comes back; along it
+constexpr float k_goes_aside = 0.4f;  // m/s, off its way and back
+constexpr float k_brakes = 4;         // m/s2, of who finds no place
+constexpr float k_just_below = 1e-4f, k_phase_rate = 4.5f;  // as the gait has them
+constexpr float k_lifts_rate = 2, k_heel_down = 0.3f;       // of who stands
+constexpr float k_stands_below = 0.07f;                     // m/s
+constexpr uint32_t k_look_again = 5;                        // ticks, of one who waits
+constexpr float k_astride = 0.33f;                          // legs, between feet of who stands
+constexpr float k_careful = 0.02f;                          // metres that feet rise higher
+constexpr float k_tread = 0.07f, k_lets_down = 0.07f;       // metres, from which on it is a step
 
 // What moves under its feet takes it along.
 void carry(const Own& o) {
@@ -51,6 +54,8 @@ float gap_ahead(const Own& o) {
     const Bipeds& all = o.bipeds;
     const float whole = all.ways[o.b.way].along.back();
     float least = std::min(whole, all.room[o.number]);
+    constexpr float k_side_by_side = 0.8f;  // metres
+    auto middle = [&](size_t i) { return (all.was_feet[3 * i] + all.was_feet[3 * i + 1]) * 0.5f; };
     for (size_t i = 0; i < all.all.size(); ++i) {
         if (i == o.number || all.all[i].way != o.b.way || i == all.orders.driven || all.all[i].is_down)
             continue;
@@ -58,6 +63,9 @@ float gap_ahead(const Own& o) {
         // Of two in one place the first goes on.
         if (ahead == 0 && i > o.number) continue;
         ahead -= whole * std::floor(ahead / whole);
+        // Of two side by side, as they may be who come back to the way, whoever's body is in front goes on.
+        const Vec2 off = middle(i) - middle(o.number);
+        if (length(off) < k_side_by_side && dot(off, o.b.ahead) < 0) continue;
         // From the point to the body ahead.
         const float gap = ahead - all.was_lead[i];
         least = std::min(least, gap);
@@ -89,6 +97,10 @@ void move_point(const Own& o) {
         b.speed = 0;
         return;
     }
+    // Where a throng shoves the body about, the point stays with it.
+    const Vec2 off = b.point - b.body;
+    const float far = length(off), leads = k_leads_most * o.leg;
+    if (far > leads) b.point = b.body + off * (leads / far);
     const BipedOrders& orders = o.bipeds.orders;
     const BipedWay& way = o.bipeds.ways[b.way];
     float speed = wanted_speed(o);
@@ -115,14 +127,18 @@ void move_point(const Own& o) {
     // Who was driven off comes back to the way.
     approach(b.aside, o.bipeds.aside[o.number], k_goes_aside * k_tick);
     auto place_of = [&](const WayPoint& at) { return at.place + Vec2{at.ahead.z, -at.ahead.x} * b.aside; };
-    const float astray = length(place_of(point_on(way, b.along)) - b.point);
-    if (astray < 0.25f) b.along += b.speed * k_tick;
+    float astray = length(place_of(point_on(way, b.along)) - b.point);
+    if (astray > k_astray) {  // by a throng: it goes on from where it is by now
+        b.along = nearest_along(way, b.body, b.along, k_astray_most);
+        astray = length(place_of(point_on(way, b.along)) - b.point);
+    }
+    if (astray < k_astray) b.along += b.speed * k_tick;
     WayPoint next = point_on(way, b.along);
     next.place = place_of(next);
     const float most = b.speed * k_tick + 0.004f;
     const Vec2 to = next.place - b.point;
     const bool is_near = length(to) <= most;
-    b.ahead = is_near || astray < 0.25f ? next.ahead : normalize_or(to, next.ahead);
+    b.ahead = is_near || astray < k_astray ? next.ahead : normalize_or(to, next.ahead);
     b.point = is_near ? next.place : b.point + to * (most / length(to));
 }
 
@@ -175,6 +191,7 @@ void set_off(const Own& o, Side side, const Foothold& hold) {
     Biped& b = o.b;
     const Foothold to = in_world(*o.on.ground.movers, hold);
     b.waits = 0;
+    b.kept = 0;
     b.target = hold;
     b.swings = static_cast<uint32_t>(side);
     b.share = 0;
@@ -295,19 +312,14 @@ void check_range(const Own& o) {
     const bool is_out = away[side] > b.reach && b.waits < 2 * k_look_again;
     const bool rests = b.speed < k_stands_below && length(b.velocity) < 2 * k_stands_below;
     if (!is_out && rests) g.standing[lane] = 1;
+    // Who found no place looks again after a while.
+    auto rest = [&] { b.waits = away[side] <= b.reach || b.waits + 1 >= 4 * k_look_again ? 0 : b.waits + 1; };
     if (g.standing[lane]) {
         g.first[lane] = is_out ? static_cast<int32_t>(side) : -1;
         for (const Side each : {k_left, k_right})
             approach_phase(o, each, is_out && each == side ? duty - k_just_below : k_rest,
                            is_out && each == side ? k_lifts_rate : 1.5f);
-        if (!is_out) {
-            if (away[side] <= b.reach)
-                b.waits = 0;
-            else
-                ++b.waits;
-            if (b.waits >= 4 * k_look_again) b.waits = 0;
-            return;
-        }
+        if (!is_out) return rest();
         const float carried = side == k_left ? g.load[lane] : 1 - g.load[lane];
         if (carried > 0.2f || g.feet[side].phase[lane] < duty - 2 * k_just_below) return;
         // The other one's heel is down.
@@ -323,10 +335,7 @@ void check_range(const Own& o) {
     b.due = std::min(b.due + most, std::max(share, b.due));
     approach_phase(o, side, std::min(lerp(0.5f, duty, b.due), duty - k_just_below), k_phase_rate);
     approach_phase(o, o.other(side), lerp(0, duty - 0.5f, b.due), k_phase_rate);
-    if (!is_out) {
-        if (away[side] <= b.reach) b.waits = 0;
-        return;
-    }
+    if (!is_out) return rest();
     if (b.due < 1 || g.feet[side].phase[lane] < duty - 2 * k_just_below || lift_off(o, side)) return;
     // Who finds no place ahead sets the foot beside the other, and stands.
     const float astride = length(on_ground(o.now(k_left).place - o.now(k_right).place));
@@ -340,6 +349,7 @@ void step_feet(const Own& o) {
     Biped& b = o.b;
     b.reach = reach_of(o, b.speed);
     look_for_places(o);
+    if (b.waits > 0) b.kept += k_tick;
     if (b.swings == k_both_down)
         check_range(o);
     else

@@ -45,6 +45,8 @@ struct WayPoint {
 WayPoint point_on(const BipedWay& way, float along);
 // Metres along it of its nearest place.
 float nearest_along(const BipedWay& way, Vec2 place);
+// The same of its places within `most` metres of `from` along it.
+float nearest_along(const BipedWay& way, Vec2 place, float from, float most);
 
 inline constexpr uint32_t k_still_ground = ~0u;
 // Where a foot stands: in the frame of a mover, or in the world.
@@ -76,6 +78,7 @@ struct Biped {
     uint32_t meets[2]{};   // 1: it met something that one walks on within a leg's range
     float reach = 0;       // metres
     uint32_t waits = 0;    // ticks since it wanted to step and found no place
+    float kept = 0;        // seconds in all for which it has found none
     float aside = 0;       // metres to the left of its way that it goes
     float reels = 0;       // seconds for which it still does nothing but step after a push
     uint32_t is_down = 0;  // 1: it lies or gets up, and others move it

@@ -41,4 +41,15 @@ float nearest_along(const BipedWay& way, Vec2 place) {
     return best;
 }
 
+float nearest_along(const BipedWay& way, Vec2 place, float from, float most) {
+    constexpr float k_apart = 0.05f;  // metres
+    float best = from, least = length(point_on(way, from).place - place);
+    for (float off = k_apart; off <= most; off += k_apart)
+        for (const float along : {from + off, from - off}) {
+            const float far = length(point_on(way, along).place - place);
+            if (far < least) least = far, best = along;
+        }
+    return best;
+}
+
 }  // namespace flaneur

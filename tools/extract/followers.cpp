@@ -1,6 +1,7 @@
 #include "tools/extract/followers.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/base/math.h"
 
@@ -69,6 +70,8 @@ RobeAngles robe_angles(const Character& c, const JointPose* joints, const Pelvis
     constexpr float k_flares = 0.12f;  // the same, where it falls
     constexpr float k_round = 0.12f;   // where legs pass each other
     constexpr float k_most = 0.35f;
+    constexpr float k_walks = 0.5f, k_lies = 1.2f,
+                    k_flat = 0.16f;  // radians of lean; that cloth sinks onto legs
     float ahead[2], behind[2];
     for (int side = 0; side < 2; ++side) {
         const size_t hip = side == k_left ? left_upper_leg : right_upper_leg;
@@ -79,10 +82,17 @@ RobeAngles robe_angles(const Character& c, const JointPose* joints, const Pelvis
     const Rate rate = pelvis.rate(hips);
     const float flare = clamp(-rate.moving.y * k_flares, 0, k_most);
     const float trail = clamp(rate.moving.z * k_trails, 0, k_most);
-    // Without a leg to hold them they hang straight.
+    // Without a leg to hold them they hang straight; of who lies, or is on hands and knees, the upper side
+    // falls onto the legs, and the lower one is held by the ground or the thighs.
+    const Vec3 down = rotate(pelvis.back, Vec3{0, -1, 0});
+    const float leans =
+        arctan2(down.z, std::max(-down.y, 0.0f)) * std::sqrt(down.z * down.z + down.y * down.y);
+    const float falls_back = std::max(-leans - k_walks, 0.0f), falls_ahead = std::max(leans - k_walks, 0.0f);
     RobeAngles robe;
-    robe.front = soft_max(soft_max(ahead[0], ahead[1], k_round), 0, k_round) + flare;
-    robe.back = -soft_max(soft_max(behind[0], behind[1], k_round), trail, k_round) - flare;
+    robe.front = soft_max(soft_max(ahead[0], ahead[1], k_round), -falls_back, k_round) + flare -
+                 k_flat * smoothstep(k_walks, k_lies, -leans);
+    robe.back = -soft_max(soft_max(behind[0], behind[1], k_round), trail - falls_ahead, k_round) - flare +
+                k_flat * smoothstep(k_walks, k_lies, leans);
     robe.twist = clamp(-rate.turning * k_lags, -k_most, k_most);
     return robe;
 }

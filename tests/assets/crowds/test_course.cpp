@@ -348,5 +348,29 @@ TEST(Course, RefusesMoreThanFindRoomAndSaysHowManyDo) {
         }
 }
 
+// Whoever is felled, shoved from the way or into others: in the last minute all go on.
+TEST(Course, GoesOnAfterPushes) {
+    struct Pushed {
+        uint64_t seed;
+        int tick;
+        Vec2 by;
+    };
+    for (const auto& [seed, at, by] : {Pushed{3, 900, {0, 200}}, {4, 420, {100, 100}}, {6, 300, {-150, 0}}}) {
+        auto w = walked(seed, 24, 2);
+        std::vector<float> gone(24);
+        for (int tick = 0; tick < 10800; ++tick) {
+            if (tick == at) {
+                for (const WalkerId id : w->crowd.slots.living) EXPECT_TRUE(push(*w, id, by));
+            }
+            const std::vector<Vec3> before = w->crowd.motion.position;
+            step(*w);
+            for (size_t i = 0; i < gone.size() && tick >= 7200; ++i)
+                gone[i] += length(on_ground(w->crowd.motion.position[i] - before[i]));
+        }
+        for (size_t i = 0; i < gone.size(); ++i)
+            EXPECT_GT(gone[i], 4) << "walker " << i << " of seed " << seed << " stands";
+    }
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -15,7 +15,7 @@ namespace flaneur {
 namespace {
 
 TEST(Rods, FallLieAndAreTakenUpAgain) {
-    float deepest = 0, jumps = 0, off_length = 0, off_hand = 0;
+    float deepest = 0, jumps = 0, off_length = 0, off_hand = 0, off_turn = 0;
     uint32_t lay = 0, falls = 0;
     for (const uint64_t seed : {1u, 2u, 3u, 4u}) {
         Ground ground = square(12);
@@ -43,10 +43,11 @@ TEST(Rods, FallLieAndAreTakenUpAgain) {
             deepest = std::max({deepest, -rod->grip.y, -rod->tip.y});
             off_length = std::max(off_length, std::fabs(length(rod->tip - rod->grip) - rod->length));
             has_lain |= rod->grip.y < 0.04f && rod->tip.y < 0.04f;
-            if (rod->share >= 1) {
-                const JointPose hand = joint_pose(w.poses, 0, right_hand);
-                off_hand = std::max(off_hand, std::fabs(length(rod->grip - hand.position) - 0.088f));
-            }
+            const JointPose hand = joint_pose(w.poses, 0, right_hand);
+            off_hand = std::max(off_hand, std::fabs(length(rod->grip - hand.position) - 0.088f));
+            // What is drawn is where the tip is.
+            const Vec3 drawn = rotate(rod->turn, w.gait.canes[0].tip_hs), lies = rod->tip - rod->grip;
+            off_turn = std::max(off_turn, length(drawn / length(drawn) - lies / length(lies)));
         }
         falls += has_fallen_once;
         lay += has_lain;
@@ -55,32 +56,33 @@ TEST(Rods, FallLieAndAreTakenUpAgain) {
     }
     std::printf(
         "%u fell, %u canes lay; %.1f mm in the ground, tips move %.3f m a tick, %.1f mm off their length, "
-        "hands "
-        "%.1f mm off\n",
-        falls, lay, wide(1000 * deepest), wide(jumps), wide(1000 * off_length), wide(1000 * off_hand));
+        "hands %.1f mm off, turned %.3f off\n",
+        falls, lay, wide(1000 * deepest), wide(jumps), wide(1000 * off_length), wide(1000 * off_hand),
+        wide(off_turn));
     EXPECT_EQ(falls, 4u);
     EXPECT_GE(lay, 3u);
     EXPECT_LT(deepest, 0.001f);
     EXPECT_LT(off_length, 0.02f);
     EXPECT_LT(jumps, 0.25f);
     EXPECT_LT(off_hand, 0.012f);
+    EXPECT_LT(off_turn, 0.15f);
 }
 
-// However it is let go of, even all but upright.
-TEST(Rods, DoNotStand) {
+// Whichever way it is turned when a hand stops holding it tight, even all but upright.
+TEST(Rods, HangAndLie) {
     Ground ground = square(12);
     index_ground(ground);
     const Surroundings around = surroundings_of(ground);
-    for (const float degrees : {0.5f, 2.0f, 8.0f, 20.0f, 60.0f}) {
-        LooseRod rod{.length = 0.8f};
-        rod.tip = {0, k_rod_thick, 0};
-        rod.grip = rotate(rotation_x(degrees * k_radians), Vec3{0, rod.length, 0}) + rod.tip;
-        rod.tip_before = rod.tip, rod.grip_before = rod.grip;
-        int ticks = 0;
-        for (; ticks < 600 && rod.grip.y > 0.04f; ++ticks) step_rod(rod, around, k_tick);
-        // A thin rod tips over in arcosh(90 / degrees) / sqrt(3 g / 2 l) seconds, about.
-        const double physical = std::acosh(90 / wide(degrees)) / std::sqrt(1.5 * 9.81 / 0.8);
-        EXPECT_NEAR(ticks / 60.0, physical, 0.35 + 0.3 * physical) << degrees << " degrees off upright";
+    for (const float degrees : {0.5f, 2.0f, 8.0f, 20.0f, 60.0f, 88.0f}) {
+        for (const float height : {0.02f, 0.3f, 1.2f}) {
+            LooseRod rod{.length = 0.8f, .grip = {0, height, 0}};
+            rod.tip = rod.tip_before =
+                rotate(rotation_x(degrees * k_radians), Vec3{0, rod.length, 0}) + rod.grip;
+            for (int ticks = 0; ticks < 600; ++ticks) swing_rod(rod, around, {0, height, 0}, k_tick);
+            const float lowest = std::max(height - rod.length, k_rod_thick);
+            EXPECT_NEAR(rod.tip.y, lowest, 0.03) << degrees << " degrees off upright, grip at " << height;
+            EXPECT_LT(length(rod.tip - rod.tip_before), 0.002f);
+        }
     }
 }
 
