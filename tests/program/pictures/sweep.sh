@@ -33,6 +33,6 @@ while read -r scene quality time weather camera size view; do
     rows=$((rows + 1))
 done < <("$(dirname "$0")/pairs.py" scene=corner,square,district,asteroid quality=low,medium,high,ultra time=17:30,22:30 \
     weather=clear,overcast camera=street,overview,follow:3 size=480x270,1x720,1279x3 \
-    view=none,wireframe+lods+gizmos,normals+walkable,overdraw,skeletons+trails,density+speed)
-((rows >= 24))
+    view=none,wireframe+lods+gizmos+walkable,normals+skeletons+trails,overdraw+density+speed)
+((rows >= 16))
 for size in 1x1 1x1 4096x2160; do twice --scene corner --size $size --quality ultra --view skeletons; done
