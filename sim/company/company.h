@@ -55,11 +55,11 @@ struct Group {
     uint32_t leader = 0;                             // which of them
     uint32_t mirrored = 0;                           // 0: the first goes at the left, 1: at the right
     Together does = Together::walks;
-    Vec2 ahead{0, 1};                 // unit: which way they go
-    float narrow = 0;                 // 0: abreast .. 1: one behind the other
-    float crowded = 0;                // strangers for each square metre about them
-    float speed = 1.34f;              // m/s, of the slowest
-    uint32_t waits = 0;               // 1: who leads stands, for one who has fallen behind
+    Vec2 ahead{0, 1};     // unit: which way they go
+    float narrow = 0;     // 0: abreast .. 1: one behind the other
+    float crowded = 0;    // strangers for each square metre about them
+    float speed = 1.34f;  // m/s, at which they like to go
+    uint32_t waits = 0;   // tick since which who leads stands, for one who has fallen behind; 0: goes
     uint32_t parted_since = k_never;  // tick: one of them has been away from the others
     Vec2 middle{};                    // of a ring, on the ground plane; of a row, its way
     // So many are still to come in, by the way by which who leads has: until then it waits for them.

@@ -186,11 +186,12 @@ bool runs_ahead(const Guide& d, uint32_t i) {
 
 // So that nobody falls behind: who leads slows down for the slowest, and waits for who is far behind.
 void set_pace(Guide& d, float behind, bool is_parted) {
-    constexpr float k_little = 0.2f, k_much = 0.9f, k_slowest = 0.5f;  // metres; of the speed
-    constexpr float k_waits_from = 2.2f, k_comes_up = 0.9f;            // metres
-    constexpr float k_out_of_the_way = 1.8f;                           // from where others are to come in
+    constexpr float k_little = 0.3f, k_much = 1, k_slowest = 0.5f;  // metres; of the speed
+    constexpr float k_waits_from = 2.2f, k_comes_up = 0.9f;         // metres
+    constexpr float k_out_of_the_way = 1.8f;                        // from where others are to come in
+    constexpr uint32_t k_patience = 10 * 60;                        // ticks
     Group& g = d.g;
-    if (behind > k_waits_from) g.waits = 1;
+    if (behind > k_waits_from && g.waits == 0) g.waits = std::max(d.tick, 1u);
     if (behind < k_comes_up) g.waits = 0;
     if (!is_parted) g.parted_since = k_never;
     if (is_parted && g.parted_since == k_never) g.parted_since = d.tick;
@@ -198,7 +199,9 @@ void set_pace(Guide& d, float behind, bool is_parted) {
     const bool on_road = is_of_cars(d.c.motion.under[i].kind);
     float share = lerp(1, k_slowest, clamp((behind - k_little) / (k_much - k_little), 0, 1));
     const bool expects = g.expects > 0 && length(on_ground(g.entry.position - d.at(i))) > k_out_of_the_way;
-    if (g.waits != 0 || expects) share = 0;
+    // Not for ever: whoever leads may be what holds the other up.
+    const bool waits = g.waits != 0 && d.tick - g.waits < k_patience;
+    if (waits || expects) share = 0;
     if (on_road && !expects) share = std::max(share, 0.75f);
     d.c.fellows[i].pace = std::min(g.speed / d.c.identity.preferred_speed[i], 1.0f) * share;
     d.c.fellows[i].since = d.tick;

@@ -87,13 +87,19 @@ static bool hold_as_couple(const Crowd& c, std::span<const Folk> folk, const Gro
            random_unit({seed, std::min(a, b), 1, Purpose::company}, 2) < k_share;
 }
 
-// The pace of the slowest, and who holds whose hand.
+// A pace nearer to that of the slowest, who hastens a little, and who holds whose hand.
 static void settle(Company& company, Crowd& c, std::span<const Folk> folk, Group& g, uint64_t seed) {
     constexpr float k_always = 6, k_share = 0.6f;  // years
-    g.speed = 9;
+    constexpr float k_hastens = 0.35f, k_most_haste = 1.12f;
+    float slowest = 9, mean = 0;
+    for (uint32_t k = 0; k < g.count; ++k) {
+        const float likes = c.identity.preferred_speed[g.members[k].index];
+        slowest = std::min(slowest, likes);
+        mean += likes / static_cast<float>(g.count);
+    }
+    g.speed = std::min(lerp(slowest, mean, k_hastens), k_most_haste * slowest);
     for (uint32_t k = 0; k < g.count; ++k) {
         const uint32_t i = g.members[k].index;
-        g.speed = std::min(g.speed, c.identity.preferred_speed[i]);
         company.bearings[i].holds = k_nobody;
         const float age = age_of(c, folk, i);
         if (age >= k_holds_hands) continue;

@@ -89,7 +89,7 @@ TEST(Company, WalksAsPeopleDo) {
                 Tally& t = by_size[g->count];
                 ++t.ticks, ++group_ticks;
                 in_ring += g->does == Together::ring || g->does == Together::row;
-                waits += g->waits, speaks += g->speech == Speech::speech, come += g->expects > 0;
+                waits += g->waits != 0, speaks += g->speech == Speech::speech, come += g->expects > 0;
                 t.parted += g->parted_since != k_never;
                 if (g->does != Together::walks || v < 0.6f || g->expects > 0) continue;
                 t.speed += v, ++t.walking;

@@ -50,7 +50,11 @@ bool stays(const World& w, uint32_t i) {
         std::ranges::any_of(w.alongside->players, [&](const Player& p) { return p.walker == i; }))
         return true;
     const Group* group = group_of(w.company, w.crowd, i);
-    return group && group->does != Together::walks;
+    if (!group) return false;
+    // Who listens or looks at something keeps the others there.
+    const uint32_t leader = group->members[group->leader].index;
+    return group->does != Together::walks || is_staying(*w.pastimes, leader) ||
+           own_of(w.crowd.called, leader);
 }
 
 // Why one does not get on.

@@ -43,10 +43,15 @@ void look_at_pair(const World& w, const Group& g, LifeTally& t) {
     const uint32_t a = g.members[0].index, b = g.members[1].index;
     if (g.does != Together::walks || g.narrow > 0.2f || g.waits != 0 || !goes_on(w, a) || !goes_on(w, b))
         return;
-    if (far_between(w, a, b) > 2) return;  // one catches up
+    if (far_between(w, a, b) > 2) return;      // one catches up
+    constexpr uint32_t k_comes_back = 5 * 60;  // ticks, of a child that has run ahead
+    for (const uint32_t i : {a, b})
+        if (w.tick < w.company.bearings[i].runs_until + k_comes_back) return;
     const Vec2 off = on_ground(w.crowd.motion.position[b] - w.crowd.motion.position[a]);
     t.abreast.push_back(std::fabs(cross(g.ahead, off)));
-    t.ahead.push_back(std::fabs(dot(g.ahead, off)));
+    // A throng bends the shape (Zanlungo 2014).
+    constexpr float k_open = 0.3f;  // strangers to a square metre
+    if (g.crowded < k_open) t.ahead.push_back(std::fabs(dot(g.ahead, off)));
 }
 
 void look_at_groups(const World& w, LifeTally& t) {
