@@ -334,6 +334,7 @@ void mind_falls(World& w) {
 void pose_bystanders(World& w) {
     constexpr float k_turns = 3.2f * k_tick, k_heeds = k_tick / 0.35f, k_bends = k_tick / 0.7f,
                     k_reaches = k_tick / 0.45f, k_lets_go = k_tick / 0.5f;
+    constexpr float k_elbows = 0.16f;  // radians a tick
     for (Bystander& b : w.bystanders.all) {
         if (is_down(w.crowd, b.walker)) {
             b.heed = b.reach = b.holds = b.bent = b.leans_back = 0;
@@ -377,7 +378,13 @@ void pose_bystanders(World& w) {
             const bool meet =
                 take_hand(pose, person, lane, held, person_of(w, b.whom), lane_of(b.whom), hands);
             b.has_hold = meet && b.holds >= 1 && b.reach >= 1;
-            if (b.holds > 0) set_body_pose(w.poses, person_of(w, b.whom), b.whom, held);
+            // Whoever is set on its feet, or let go of, has had the elbow somewhere.
+            keep_elbow(pose, body_pose_of(w.previous_poses, b.walker), person, lane, hands.own, k_elbows);
+            if (b.holds > 0) {
+                keep_elbow(held, body_pose_of(w.previous_poses, b.whom), person_of(w, b.whom),
+                           lane_of(b.whom), hands.other, k_elbows);
+                set_body_pose(w.poses, person_of(w, b.whom), b.whom, held);
+            }
         }
         set_body_pose(w.poses, person, b.walker, pose);
     }

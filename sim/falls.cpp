@@ -1,6 +1,7 @@
 #include "sim/falls.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/base/hash.h"
 #include "sim/base/math.h"
@@ -33,18 +34,6 @@ int lane_in_gait(const Fall& f) { return static_cast<int>(f.walker % k_block); }
 
 float leg_of(const World& w, uint32_t walker) {
     return w.gait.people[walker / k_block].joints[left_upper_leg][1][walker % k_block];
-}
-
-// Its trunk, head and arms turned after the sway; the head half of it, since eyes stay level.
-void sway_pose(BodyPose& pose, Vec2 lean) {
-    const float angle = length(lean);
-    if (angle < 1e-5f) return;
-    const Vec2 way = lean / angle;
-    const Vec3 axis{way.z, 0, -way.x};  // up turns towards the lean about it
-    for (int j = spine; j <= right_hand; ++j) {
-        const float share = j == spine ? 0.4f : j == chest ? 0.7f : j == head ? 0.4f : 1.0f;
-        pose.rotation[j] = normalize(rotation_about(axis, share * angle) * pose.rotation[j]);
-    }
 }
 
 // The first that nobody has.
@@ -87,6 +76,7 @@ void begin_fall(World& w, Fall& f) {
         block.velocity[s][2][own] += gains.z;
     }
     f.gives = {};
+    topple(block, own, f.segments, f.to);
     go_down(w.crowd, f.walker);
 }
 
@@ -161,8 +151,8 @@ NavPoint follow_to(const World& w, uint32_t walker, Vec2 to) {
     const NavPoint from{m.position[walker], m.polygon[walker]};
     const Vec3 there = at_height(to, from.position.y);
     if (!is_on_course(w)) return move_along(*w.navmesh, 0, from, there, by_of(w.crowd, walker));
-    constexpr float k_above = 1, k_level = 0.25f;  // metres
-    const auto hit = ground_at(w.around, there, k_above, k_level);
+    constexpr float k_above = 1, k_level = 0.25f;                              // metres
+    const auto hit = ground_at(*w.stepping->ground, there, k_above, k_level);  // what moves would leave it
     const bool is_level = hit && is_walked(hit->kind) && hit->height < from.position.y + k_level;
     return is_level && is_by_way(w, walker, there) ? NavPoint{there, from.polygon} : from;
 }
@@ -296,9 +286,14 @@ void rise_on(World& w, Fall& f) {
     if (f.stage == RiseStage::stand) {
         end = stance_of(w, f);
         pose = mixed(f.from, end, t);
+        // First the weight comes over the foot that was set down, with the trunk bowed, and then up.
+        constexpr float k_comes_over = 0.65f, k_rises_after = 0.15f, k_bows = 0.3f;  // of the time; radians
+        const Vec2 over = on_ground(lerp(f.from.hips, end.hips, smoothstep(0, k_comes_over, f.share)));
+        pose.hips = at_height(over, lerp(f.from.hips.y, end.hips.y, smoothstep(k_rises_after, 1, f.share)));
+        lean_trunk(pose, k_bows * bell(1 - std::fabs(2 * f.share - 1)));
         // The foot that was set down stays; once the body is over it the other one is lifted, and set down
         // beside it.
-        constexpr float k_lifts = 0.13f, k_leaves = 0.3f;  // of the leg; of the time
+        constexpr float k_lifts = 0.13f, k_leaves = 0.24f;  // of the leg; of the time
         const auto began = places_of(f.from, person, lane), ends = places_of(end, person, lane);
         const float goes = smoothstep(k_leaves, 1, f.share),
                     lift = 4 * goes * (1 - goes) * k_lifts * leg_of(w, f.walker);

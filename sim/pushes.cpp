@@ -98,13 +98,14 @@ void be_pushed(World& w, uint32_t walker, Vec2 change) {
         if (const float gives = length(f->gives); gives > k_most) f->gives = f->gives * (k_most / gives);
         return;
     }
-    // Feet follow no more than that.
-    constexpr float k_fastest_stagger = 1.6f;
+    // Feet follow no more than that, or half of it faster than they go.
+    constexpr float k_fastest_stagger = 1.6f, k_hastens = 0.5f;
     shove(f->sway, change);
     Vec2& velocity = w.crowd.motion.velocity[walker];
     const Vec2 before = velocity;
     velocity += change;
-    const float goes = length(velocity), most = std::max(k_fastest_stagger, goes - speed);
+    const float goes = length(velocity),
+                most = std::max(k_fastest_stagger, length(before) + k_hastens * speed);
     if (goes > most) velocity = velocity * (most / goes);
     if (is_stepping(w, walker)) shove(w, walker, velocity - before);
 }

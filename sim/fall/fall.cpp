@@ -40,6 +40,15 @@ struct Haste {
 constexpr Haste k_stiff = {16, 16, 8, 26}, k_guarded = {12, 14, 13, 9}, k_loose = {5, 6, 3, 3};
 constexpr float k_stays = 0.12f, k_guards = 0.35f;  // seconds until one has felt it, and until arms go out
 constexpr float k_slackens = 0.8f;                  // seconds
+// Legs and trunk give way as the body leans so far, radians, or after so long, seconds.
+constexpr float k_topples = 0.4f, k_toppled = 0.95f, k_stood = 1, k_stood_out = 1.5f;
+
+// How far the body leans that stands on its feet, radians.
+float lean_of(const TumbleBlock& block, int lane) {
+    const Vec3 feet = (row_of(block.place[left_sole], lane) + row_of(block.place[right_sole], lane)) * 0.5f;
+    const Vec3 up = row_of(block.place[thorax], lane) - feet;
+    return arctan2(length(on_ground(up)), up.y);
+}
 
 constexpr int k_trunk_balls = 7;  // the first: pelvis, belly, thorax, skull
 
@@ -80,6 +89,29 @@ Quat guard_of(int s, const Guard& left, const Guard& right, float neck_aside) {
 
 }  // namespace
 
+void topple(TumbleBlock& block, int lane, const Segments& segments, Vec2 to) {
+    constexpr float k_foot = 0.1f, k_beyond = 0.14f;  // metres, of a foot ahead of its middle; beyond that
+    auto place_of = [&](int s) { return row_of(block.place[s], lane); };
+    Vec3 middle{}, goes{};
+    for (int s = 0; s < k_segment_count; ++s) {
+        const float share = segments.mass[s] / segments.whole;
+        middle += place_of(s) * share;
+        goes += row_of(block.velocity[s], lane) * share;
+    }
+    const Vec3 left = place_of(left_sole), right = place_of(right_sole);
+    const float ground = std::min(left.y, right.y), high = std::max(middle.y - ground, 0.3f);
+    const float edge = std::max(dot(on_ground(left), to), dot(on_ground(right), to)) + k_foot;
+    const float rate = std::sqrt(k_gravity / high);
+    const float enough = (edge + k_beyond - dot(on_ground(middle), to)) * rate;
+    const float speed = std::max(dot(on_ground(goes), to), enough);
+    for (int s = 0; s < k_segment_count; ++s) {
+        const Vec2 own = on_ground(row_of(block.velocity[s], lane));
+        const Vec2 gains = to * (speed * std::max(place_of(s).y - ground, 0.0f) / high - dot(own, to));
+        block.velocity[s][0][lane] += gains.x;
+        block.velocity[s][2][lane] += gains.z;
+    }
+}
+
 std::array<Quat, k_segment_count> turns_of(const TumbleBlock& block, int lane) {
     std::array<Quat, k_segment_count> turns{};
     for (int s = 1; s < k_segment_count; ++s)
@@ -101,11 +133,15 @@ void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
     const Guard left = guard(way.x > 0), right = guard(way.x < 0);
     const float neck_aside = (way.x > 0 ? 1.0f : -1.0f) * left.neck_aside;
     const float feels = smoothstep(k_stays, k_guards, seconds), slack = smoothstep(0, k_slackens, lain);
+    const float gives = std::max({feels * smoothstep(k_topples, k_toppled, lean_of(block, lane)),
+                                  smoothstep(k_stood, k_stood_out, seconds), slack});
     for (int s = 1; s < k_segment_count; ++s) {
-        const Quat turn = nlerp(stood[s], guard_of(s, left, right, neck_aside), feels);
+        const bool is_arm = is_limb(s, left_arm, right_arm, 3);
+        const float guards = is_arm ? feels : gives;
+        const Quat turn = nlerp(stood[s], guard_of(s, left, right, neck_aside), guards);
         set_row(aims.turn[s], lane, turn);
         aims.haste[s][lane] =
-            lerp(lerp(pick(k_stiff, s), pick(k_guarded, s), feels), pick(k_loose, s), slack);
+            lerp(lerp(pick(k_stiff, s), pick(k_guarded, s), guards), pick(k_loose, s), slack);
         aims.drag[s][lane] = lerp(8, 15, slack);
     }
 }

@@ -7,11 +7,16 @@
 
 namespace flaneur {
 
+// Begins a fall in the direction `to`, unit: feet are caught, and the body goes on over them, turning as a
+// whole, fast enough for the extrapolated centre of mass (Hof, Gazendam & Sinke 2005) to come to rest beyond
+// them.
+void topple(TumbleBlock& block, int lane, const Segments& segments, Vec2 to);
+
 // What muscles do `seconds` after a fall in the direction `to` (unit, on the ground plane) began. At first
-// the body stays as stiff as it stood, `stood` by segment against what carries it; then arms go where the
-// ground comes from, knees give way and the head draws back from it (Hsiao & Robinovitch, "Common protective
-// movements govern unexpected falls from standing height", Journal of Biomechanics 31, 1998); and `lain`
-// seconds after the trunk has come down all goes slack.
+// the body stays as stiff as it stood, `stood` by segment against what carries it, and topples over its feet;
+// then arms go where the ground comes from, and, once it leans, knees give way and the head draws back from
+// it (Hsiao & Robinovitch, "Common protective movements govern unexpected falls from standing height",
+// Journal of Biomechanics 31, 1998); and `lain` seconds after the trunk has come down all goes slack.
 void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
               const std::array<Quat, k_segment_count>& stood, Vec2 to, float seconds, float lain);
 // Each segment of the lane against what carries it, as it is.

@@ -1,6 +1,7 @@
 #include "sim/fall/limbs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/base/math.h"
 
@@ -140,6 +141,15 @@ void set_arm(BodyPose& pose, const PersonBlock& person, int lane, Side side, con
     }
 }
 
+void keep_elbow(BodyPose& pose, const BodyPose& before, const PersonBlock& person, int lane, Side side,
+                float most) {
+    ArmWay now = arm_way(pose, person, lane, side);
+    const float had = arm_way(before, person, lane, side).turn, turns = wrap_angle(now.turn - had);
+    if (std::fabs(turns) <= most) return;
+    now.turn = had + clamp(turns, -most, most);
+    set_arm(pose, person, lane, side, now, now, 0, now.palm);
+}
+
 ArmPlaces arm_places(const BodyPose& pose, const PersonBlock& person, int lane, Side side) {
     const int upper = upper_arm_of(side);
     const auto places = places_of(pose, person, lane);
@@ -230,6 +240,17 @@ void breathe(BodyPose& pose, float seconds, float depth) {
     pose.rotation[chest] = normalize(pose.rotation[chest] * swell);
     const float turn = k_turns * depth * sin_cos(0.43f * k_rate * seconds).sine;
     pose.rotation[head] = normalize(pose.rotation[head] * rotation_y(turn));
+}
+
+void sway_pose(BodyPose& pose, Vec2 lean) {
+    const float angle = length(lean);
+    if (angle < 1e-5f) return;
+    const Vec2 way = lean / angle;
+    const Vec3 axis{way.z, 0, -way.x};  // up turns towards the lean about it
+    for (int j = spine; j <= right_hand; ++j) {
+        const float share = j == spine ? 0.4f : j == chest ? 0.7f : j == head ? 0.4f : 1.0f;
+        pose.rotation[j] = normalize(rotation_about(axis, share * angle) * pose.rotation[j]);
+    }
 }
 
 }  // namespace flaneur

@@ -25,6 +25,10 @@ ArmWay arm_way(const BodyPose& pose, const PersonBlock& person, int lane, Side s
 // whatever both are.
 void set_arm(BodyPose& pose, const PersonBlock& person, int lane, Side side, const ArmWay& from,
              const ArmWay& to, float t, Vec3 palm);
+// Turns the elbow about the line from shoulder to palm to where it is no more than so many radians from where
+// it was in the pose before.
+void keep_elbow(BodyPose& pose, const BodyPose& before, const PersonBlock& person, int lane, Side side,
+                float most);
 struct ArmPlaces {
     Vec3 shoulder, elbow, palm;
 };
@@ -52,6 +56,9 @@ HeadTurn turn_to_look(const BodyPose& pose, const PersonBlock& person, int lane,
 // Turns neck and head there, by `part` of the way from where they are.
 void turn_head(BodyPose& pose, HeadTurn gaze, float part);
 
+// Trunk, head and arms turned by as many radians as `lean` is long, along it on the ground plane; the head
+// half of that, since eyes stay level.
+void sway_pose(BodyPose& pose, Vec2 lean);
 // Leans the trunk ahead by so many radians from the hips up, the head with half of it. Arms hang on.
 void lean_trunk(BodyPose& pose, float angle);
 

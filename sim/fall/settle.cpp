@@ -235,8 +235,9 @@ void set_hand(const Setting& s, BodyPose& pose, Side side, const Rests& rests) {
 // From where it was towards where it is to be, out of the ground: the palm is lifted, and the elbow goes
 // round the line from shoulder to palm, over the top of its circle where that dips into the ground.
 void swing_arm(const Setting& s, BodyPose& pose, const BodyPose& before, Side side) {
-    constexpr float k_hand_goes = 0.05f, k_elbow_turns = 0.16f, k_elbow_flees = 0.16f,
-                    k_hand_flees = 0.08f;  // metres and radians a tick
+    constexpr float k_hand_goes = 0.05f, k_elbow_turns = 0.14f, k_elbow_flees = 0.09f,
+                    k_hand_flees = 0.08f;              // metres and radians a tick
+    constexpr float k_near = 0.55f, k_slowest = 0.3f;  // of the arm; of that
     constexpr float k_foreseen = 0.04f, k_most_bent = 0.3f, k_straightest = 0.995f, k_upright = 0.05f;
     const ArmPlaces now = arm_places(pose, s.person, s.lane, side),
                     was = arm_places(before, s.person, s.lane, side);
@@ -248,11 +249,14 @@ void swing_arm(const Setting& s, BodyPose& pose, const BodyPose& before, Side si
         find_heights(s.below, std::span<const Vec3>{&at, 1}, &height);
         return height + s.segments.radius[ball] / slope;
     };
-    Vec3 goes = now.palm - was.palm;
-    if (const float far = length(goes); far > k_hand_goes) goes = goes * (k_hand_goes / far);
     const float a = length(now.elbow - now.shoulder), b = length(now.palm - now.elbow);
+    // Near the shoulder a palm that goes far would fling the elbow about.
+    const float slowly = clamp(length(was.palm - was.shoulder) / (k_near * (a + b)), k_slowest, 1);
+    Vec3 goes = now.palm - was.palm;
+    if (const float far = length(goes); far > slowly * k_hand_goes)
+        goes = goes * (slowly * k_hand_goes / far);
     Vec3 palm = was.palm + goes;
-    palm.y = std::max(palm.y, std::min(needs(palm, palm_ball), was.palm.y + k_hand_flees));
+    palm.y = std::max(palm.y, std::min(needs(palm, palm_ball), was.palm.y + slowly * k_hand_flees));
     // What is too near the shoulder gives way along the ground.
     const Vec3 off = palm - now.shoulder;
     const float nearest = k_most_bent * (a + b), flat = nearest * nearest - off.y * off.y;
