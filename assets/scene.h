@@ -42,11 +42,11 @@ struct PastimeKey {
     const char* name;  // in a scene's file
     float PastimeShares::*share;
 };
-inline constexpr PastimeKey k_pastimes[] = {{"sitting", &PastimeShares::sitting},
-                                            {"leaning", &PastimeShares::leaning},
-                                            {"on_phones", &PastimeShares::phones},
-                                            {"windows", &PastimeShares::windows},
-                                            {"queues", &PastimeShares::queues}};
+inline constexpr PastimeKey k_pastimes[] = {
+    {"sitting", &PastimeShares::sitting},   {"leaning", &PastimeShares::leaning},
+    {"on_phones", &PastimeShares::phones},  {"windows", &PastimeShares::windows},
+    {"queues", &PastimeShares::queues},     {"tourists", &PastimeShares::tourists},
+    {"hurrying", &PastimeShares::hurrying}, {"strolling", &PastimeShares::strolling}};
 struct MixKey {
     const char* name;  // in a scene's file
     float PeopleMix::*times;

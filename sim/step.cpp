@@ -34,7 +34,18 @@ PastimeTick pastime_tick(World& w) {
                !group_of(world.company, world.crowd, i) && !companion_of(world, i) &&
                world.gait.blocks[i / k_block].jump[i % k_block] == 0;
     };
-    return {*w.pastimes, w.crowd, w.gait, *w.navmesh, w.around, w.poses, w.seed, w.tick, w, is_free};
+    auto is_bus_near = [](const World& world, Vec3 stop) {
+        constexpr float k_near = 26, k_slow = 6;  // metres, m/s
+        const Vehicles& all = world.vehicles;
+        for (size_t n = 0; n < all.all.size(); ++n)
+            if (all.all[n].kind == VehicleKind::bus && is_there(all.all[n]) && all.all[n].speed < k_slow &&
+                length(on_ground(all.places[n].middle - stop)) < k_near)
+                return true;
+        return false;
+    };
+    auto age_of = [](const World& world, uint32_t i) { return world.folk[world.crowd.identity.body[i]].age; };
+    return {*w.pastimes, w.crowd, w.gait, *w.navmesh, w.around,    w.poses,
+            w.seed,      w.tick,  w,      is_free,    is_bus_near, age_of};
 }
 
 constexpr uint32_t k_ticks_between_counts = 6;

@@ -209,6 +209,13 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "windows", "1", "How many of those who like to look into shop windows as they pass do."),
         pastime_key<&PastimeShares::queues>("queues", "0.1",
                                             "How many of those who pass a stall line up there."),
+        pastime_key<&PastimeShares::tourists>(
+            "tourists", "0.05", "How many of those who go alone stop now and then to look up at a house."),
+        pastime_key<&PastimeShares::hurrying>(
+            "hurrying", "0.1",
+            "How many of those who go alone are late, and run for a bus that is at their stop."),
+        pastime_key<&PastimeShares::strolling>("strolling", "0.1",
+                                               "How many of those who go alone have time."),
         plain_key<&Scene::traffic>(
             "traffic", {number, 0, 1}, "0", "0.5",
             "How many cars, vans, buses and bicycles drive: 0 none, 0.5 as usual, 1 as in a rush hour."),

@@ -8,6 +8,7 @@
 #include "sim/base/spans.h"
 #include "sim/base/tick.h"
 #include "sim/ground/grid.h"
+#include "sim/pastimes/haste.h"
 
 namespace flaneur {
 
@@ -259,6 +260,37 @@ bool takes_picture(const PastimeTick& t, const Candidate& c) {
     return true;
 }
 
+// Who is a stranger stops now and then, and looks up at a house ahead.
+bool looks_up(const PastimeTick& t, const Candidate& c) {
+    constexpr float k_nearest = 3, k_farthest = 14, k_high = 3, k_least_speed = 0.5f;  // metres, m/s
+    constexpr float k_now = 0.03f, k_least = 4, k_most = 9;  // of the times one thinks of it; seconds
+    constexpr float k_up = 0.7f, k_youngest = 13;            // metres for each metre away; years
+    const float share = t.pastimes.shares.tourists;
+    if (share <= 0 || c.has_stopped || c.speed < k_least_speed) return false;
+    RandomKey key = c.key;
+    key.when = 0;
+    if (random_unit(key, 60) >= share || t.crowd.identity.ahead[c.walker] > 0) return false;
+    key.when = t.tick;
+    if (random_unit(key, 61) >= k_now || t.age_of(t.world, c.walker) < k_youngest) return false;
+    const Vec2 way = c.velocity / c.speed;
+    const Vec3 eyes = c.at + Vec3{0, 0.93f * c.person.height[c.lane], 0};
+    const auto wall = closest_wall(t.around, eyes + at_height(way * 6, 0), 9);
+    if (!wall) return false;
+    const Vec2 off = on_ground(wall->point - c.at);
+    const float far = length(off);
+    if (far < k_nearest || far > k_farthest || dot(off, way) < 0.25f * far) return false;
+    if (!closest_wall(t.around, {wall->point.x, c.at.y + k_high, wall->point.z}, 0.5f)) return false;
+    const NavPoint from{c.at, t.crowd.motion.polygon[c.walker]};
+    const NavPoint to = move_along(t.mesh, 0, from, c.at + at_height(c.velocity * 0.6f, 0));
+    const Surface kind = surface_of(t.mesh, to.polygon);
+    if (kind == Surface::road || kind == Surface::crossing) return false;
+    Pastime& p = send(t, c, Staying::marvels, on_ground(to.position),
+                      normalize_or(on_ground(wall->point - to.position), way),
+                      random_between(key, k_least, k_most, 62));
+    p.at = {wall->point.x, eyes.y + k_up * far, wall->point.z};
+    return true;
+}
+
 // A phone is used for most of one of the stretches of time that everybody has.
 void uses_phone(const PastimeTick& t, const Candidate& c, const Pastime* own) {
     constexpr uint32_t k_stretch_ticks = 45 * 60, k_least_ticks = 6 * 60;
@@ -296,16 +328,20 @@ void consider(const PastimeTick& t, uint32_t i) {
     if (!t.is_free(t.world, i) || (own_of(t.crowd.called, i) && !own)) return;
     const Candidate c = candidate(t, i);
     const Journey& j = t.crowd.journeys[i];
-    const bool may_stay = !own || own->what == Staying::nowhere;
+    const Haste haste = haste_of(t, i);
+    if (haste != Haste::usual && !own) pastime_of(t, i).haste = haste;
+    own = own_of(t.pastimes.all, i);
+    const bool is_late = haste == Haste::hurries || haste == Haste::runs;
+    const bool may_stay = (!own || own->what == Staying::nowhere) && !is_late;
     const bool goes_about = j.errand == Errand::wander && !(j.leaves && j.arrived) && t.tick > 0 &&
                             !waits_at_kerb(t.crowd.kerbs, i);
     if (may_stay && goes_about && (!own || own->phone == PhoneUse::none)) {
-        if (sits_down(t, c) || leans(t, c) || lines_up(t, c) || minds_windows(t, c)) return;
+        if (sits_down(t, c) || leans(t, c) || lines_up(t, c) || minds_windows(t, c) || looks_up(t, c)) return;
     }
     const bool may_use = !own || own->phase == StayPhase::stays || own->phase == StayPhase::over ||
                          own->what == Staying::nowhere;
-    if (may_use && own && own->what == Staying::photographs) return;
-    if (may_use) uses_phone(t, c, own);
+    if (own && (own->what == Staying::photographs || own->what == Staying::marvels)) return;
+    if (may_use && haste != Haste::runs) uses_phone(t, c, own);
 }
 
 }  // namespace flaneur

@@ -10,6 +10,7 @@
 #include "sim/ground/grid.h"
 #include "sim/pastimes/choose.h"
 #include "sim/pastimes/handheld.h"
+#include "sim/pastimes/haste.h"
 #include "sim/pastimes/seated.h"
 
 namespace flaneur {
@@ -56,7 +57,9 @@ float lasts(Staying what) {
     }
 }
 // How long one remembers that it did so, and does not do it again.
-float remembers(Staying what) { return what == Staying::glances ? 6.0f : 60.0f; }
+float remembers(Staying what) {
+    return what == Staying::glances ? 6.0f : what == Staying::marvels ? 20.0f : 60.0f;
+}
 
 void enter(const PastimeTick& t, Pastime& p, StayPhase phase) {
     p.phase = phase;
@@ -65,9 +68,9 @@ void enter(const PastimeTick& t, Pastime& p, StayPhase phase) {
 
 // Of the speed that it likes.
 float pace_of(const Pastime& p, uint32_t tick, float usual) {
-    float pace = 1;
+    float pace = pace_of(p.haste, usual);
     if (p.phone != PhoneUse::none && tick < p.phone_until)
-        pace = p.phone == PhoneUse::texts ? k_texting_pace : p.phone == PhoneUse::calls ? k_calling_pace : 1;
+        pace *= p.phone == PhoneUse::texts ? k_texting_pace : p.phone == PhoneUse::calls ? k_calling_pace : 1;
     constexpr float k_slower = 0.15f;  // m/s, of who glances at a window
     if (p.what == Staying::glances && p.phase == StayPhase::stays)
         pace = std::min(pace, std::max(usual - k_slower, 0.5f * usual) / usual);
@@ -77,8 +80,8 @@ void keep_pace(const PastimeTick& t, Pastime& p) {
     float& speed = t.crowd.identity.preferred_speed[p.walker];
     const float usual = p.usual_speed > 0 ? p.usual_speed : speed;
     const float pace = pace_of(p, t.tick, usual);
-    speed = pace < 1 ? usual * pace : usual;
-    p.usual_speed = pace < 1 ? usual : 0;
+    speed = pace != 1 ? usual * pace : usual;
+    p.usual_speed = pace != 1 ? usual : 0;
 }
 
 void let_go_of_phone(Pastime& p) {
@@ -197,7 +200,8 @@ void go_on_staying(const PastimeTick& t, Pastime& p) {
 
 bool is_over(const Pastime& p, uint32_t tick) {
     const bool stays = p.what != Staying::nowhere && (p.phase != StayPhase::over || tick < p.until);
-    return !stays && p.phone == PhoneUse::none && p.heed == 0 && p.usual_speed == 0;
+    return !stays && p.phone == PhoneUse::none && p.heed == 0 && p.usual_speed == 0 &&
+           p.haste == Haste::usual;
 }
 
 void count_places(Pastimes& all) {
@@ -312,8 +316,12 @@ void decide_pastimes(const PastimeTick& t) {
     }
     std::erase_if(all.all, [&](const Pastime& p) { return is_over(p, t.tick); });
     count_places(all);
-    for (uint32_t i = t.tick % k_every; i < t.crowd.count; i += k_every)
+    for (uint32_t i = t.tick % k_every; i < t.crowd.count; i += k_every) {
+        // Another trip is gone at another pace.
+        if (Pastime* own = own_of(all.all, i))
+            own->haste = t.is_free(t.world, i) ? haste_of(t, i) : Haste::usual;
         if (is_there(t.crowd, i) && all.all.size() < all.all.capacity()) consider(t, i);
+    }
 }
 
 uint64_t hash_pastimes(const Pastimes& all) {

@@ -1,5 +1,5 @@
 // What people do who stay somewhere, and what they do on the way: they sit on benches, lean at walls, look at
-// shop windows, stand in line, and have a phone in the hand.
+// shop windows, stand in line, look up at houses, have a phone in the hand, hurry, stroll and run for a bus.
 //
 // Of those who may, who does is drawn by key: (seed, walker, trip). Decisions are taken in the order of
 // walkers, before the crowd thinks; the crowd then leads them as it leads all who are called somewhere (see
@@ -30,8 +30,11 @@ enum class Staying : uint32_t {
     glances,      // at one, as it passes
     queues,       // stands in line
     photographs,  // stands and takes a picture
+    marvels,      // stands and looks up at a house
 };
 enum class StayPhase : uint32_t { comes, begins, stays, ends, over };  // over: remembers it for a while
+// How it goes, on this trip; runs: for a bus.
+enum class Haste : uint32_t { usual, strolls, hurries, runs };
 enum class PhoneUse : uint32_t { none, texts, calls, photographs };
 
 struct Pastime {
@@ -44,13 +47,14 @@ struct Pastime {
     uint32_t joined = 0, moves_up = 0, served = 0;  // ticks, of one in a line; served 0: not yet begun
     PhoneUse phone = PhoneUse::none;
     uint32_t phone_began = 0, phone_until = 0;  // ticks
-    float usual_speed = 0;                      // m/s that it likes without that; 0: as it does now
-    uint32_t whom = k_nobody;                   // looks at that walker,
-    uint32_t looks_until = 0;                   // until that tick
-    Vec2 to{}, facing{};                        // where it stands, and where it looks there, unit
-    Vec3 at{};                                  // what it leans on, looks at, takes a picture of
-    HeadTurn gaze{};                            // where the head is turned,
-    float heed = 0;                             // 0: as the walk has it .. 1: there
+    Haste haste = Haste::usual;
+    float usual_speed = 0;     // m/s that it likes without all that; 0: as it does now
+    uint32_t whom = k_nobody;  // looks at that walker,
+    uint32_t looks_until = 0;  // until that tick
+    Vec2 to{}, facing{};       // where it stands, and where it looks there, unit
+    Vec3 at{};                 // what it leans on, looks at, takes a picture of
+    HeadTurn gaze{};           // where the head is turned,
+    float heed = 0;            // 0: as the walk has it .. 1: there
     // Of one who sits: how, see sim/pastimes/seated.h, since which tick, and the bodies of that and before.
     uint32_t posture = 0, posture_began = 0;
     BodyPose before{}, now{};
@@ -86,6 +90,8 @@ struct PastimeTick {
     uint32_t tick;
     const World& world;
     bool (*is_free)(const World& world, uint32_t walker);  // to do as it likes, in full view
+    bool (*is_bus_near)(const World& world, Vec3 stop);    // that people get on there, or will at once
+    float (*age_of)(const World& world, uint32_t walker);  // years
 };
 
 // Between two ticks: the places of a city, and how many use them. Both allocate.

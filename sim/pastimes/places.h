@@ -17,10 +17,13 @@ struct PastimeShares {
     // own estimate.
     float windows = 0;
     float queues = 0;  // of those who pass a place of service, who line up there
+    // Of those who go alone: who look about as in a strange town, and of each trip, who hurry and who stroll.
+    float tourists = 0, hurrying = 0, strolling = 0;
     bool operator==(const PastimeShares&) const = default;
 };
 inline bool is_any(const PastimeShares& s) {
-    return s.sitting > 0 || s.leaning > 0 || s.phones > 0 || s.windows > 0 || s.queues > 0;
+    return s.sitting > 0 || s.leaning > 0 || s.phones > 0 || s.windows > 0 || s.queues > 0 ||
+           s.tourists > 0 || s.hurrying > 0 || s.strolling > 0;
 }
 
 // Room for one to sit.

@@ -85,7 +85,9 @@ Look look_of(const PastimeTick& t, const Pastime& p, Someone who, const BodyPose
     }
     Vec3 place;
     const bool is_there_now = p.phase == StayPhase::begins || p.phase == StayPhase::stays;
-    const bool has_place = (p.what == Staying::looks || p.what == Staying::photographs) && is_there_now;
+    const bool has_place =
+        (p.what == Staying::looks || p.what == Staying::photographs || p.what == Staying::marvels) &&
+        is_there_now;
     if (has_place || (p.what == Staying::glances && p.phase == StayPhase::stays)) {
         place = p.at;
     } else if (p.whom != k_nobody && p.phase == StayPhase::stays) {

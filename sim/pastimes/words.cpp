@@ -8,16 +8,18 @@ namespace flaneur {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> k_words = {"",
+constexpr std::array<std::string_view, 8> k_words = {"",
                                                      "sits on a bench",
                                                      "leans at the wall",
                                                      "looks at a shop window",
                                                      "glances at a shop window",
                                                      "stands in line",
-                                                     "takes a picture"};
-constexpr std::array<std::string_view, 7> k_coming = {
-    "", "goes to sit down",      "goes to lean at a wall", "goes to look at a shop window",
-    "", "goes to stand in line", "stops to take a picture"};
+                                                     "takes a picture",
+                                                     "looks up at a house"};
+constexpr std::array<std::string_view, 8> k_coming = {
+    "", "goes to sit down",      "goes to lean at a wall",  "goes to look at a shop window",
+    "", "goes to stand in line", "stops to take a picture", "stops to look up"};
+constexpr std::array<std::string_view, 4> k_haste = {"", "strolls", "is in a hurry", "runs for the bus"};
 constexpr std::array<std::string_view, 4> k_phone = {"", "texting", "on the phone", ""};
 constexpr std::array<std::string_view, 4> k_phone_alone = {"", "texts on the way", "is on the phone", ""};
 constexpr std::array<std::string_view, 7> k_ranks = {"is served", "second", "third",  "fourth",
@@ -51,6 +53,7 @@ std::string told_pastime(const Pastimes& all, uint32_t walker, uint32_t tick) {
         told = "sits on the rim of a fountain";
     else
         told = k_words[what];
+    if (told.empty()) told = k_haste[static_cast<size_t>(p->haste)];
     if (told.empty()) return std::string(k_phone_alone[phone]);
     if (!k_phone[phone].empty()) told.append(", ").append(k_phone[phone]);
     return told;

@@ -55,7 +55,7 @@ std::unique_ptr<World> made(const PastimeShares& shares, uint64_t seed = 1, uint
     return std::move(*world);
 }
 
-const PastimeShares k_all{1, 1, 0.3f, 1, 0.2f};
+const PastimeShares k_all{1, 1, 0.3f, 1, 0.2f}, k_and_haste{1, 1, 0.3f, 1, 0.2f, 1, 0.3f, 0.3f};
 
 TEST(Pastimes, SwitchedOffNothingChanges) {
     // Places alone do nothing; and worlds without shares are as they were.
@@ -67,7 +67,7 @@ TEST(Pastimes, SwitchedOffNothingChanges) {
 }
 
 TEST(Pastimes, AreTheSameForAnyNumberOfThreadsAndGoOnFromAState) {
-    auto one = made(k_all, 5, 50, 1), four = made(k_all, 5, 50, 4);
+    auto one = made(k_and_haste, 5, 50, 1), four = made(k_and_haste, 5, 50, 4);
     std::vector<std::byte> kept;
     for (int tick = 0; tick < 2400; ++tick) {
         step(*one), step(*four);
@@ -81,11 +81,63 @@ TEST(Pastimes, AreTheSameForAnyNumberOfThreadsAndGoOnFromAState) {
 }
 
 TEST(Pastimes, AllocateNothing) {
-    auto world = made(k_all, 2);
+    auto world = made(k_and_haste, 2);
     for (int tick = 0; tick < 600; ++tick) step(*world);
     const size_t before = allocations();
     for (int tick = 0; tick < 1800; ++tick) step(*world);
     EXPECT_EQ(allocations(), before);
+}
+
+// Whoever hurries is faster by a quarter, who strolls slower by as much; and nobody is either when it is
+// over.
+TEST(Pastimes, HurryAndStroll) {
+    auto world = made({.hurrying = 0.4f, .strolling = 0.4f}, 3);
+    World& w = *world;
+    const std::vector<float> usual = w.crowd.identity.preferred_speed;
+    double went[4] = {};
+    int ticks[4] = {};
+    for (int tick = 0; tick < 3600; ++tick) {
+        step(w);
+        for (const WalkerId id : w.crowd.slots.living) {
+            const Pastime* p = own_of(w.pastimes->all, id.index);
+            const auto haste = static_cast<size_t>(p ? p->haste : Haste::usual);
+            const float speed = length(w.crowd.motion.velocity[id.index]);
+            if (speed < 0.6f) continue;
+            went[haste] += wide(speed / usual[id.index]), ++ticks[haste];
+        }
+    }
+    for (int k = 0; k < 3; ++k) EXPECT_GT(ticks[k], 1000);
+    EXPECT_NEAR(went[2] / ticks[2] / (went[0] / ticks[0]), 1.25, 0.12);
+    EXPECT_NEAR(went[1] / ticks[1] / (went[0] / ticks[0]), 0.76, 0.1);
+    set_shares(*w.pastimes, {}, w.crowd);
+    for (int tick = 0; tick < 120; ++tick) step(w);
+    EXPECT_EQ(w.crowd.identity.preferred_speed, usual);
+}
+
+// Those who are strangers look up at houses, with their heads; nobody does it on the spot for ever.
+TEST(Pastimes, StrangersLookUpAtHouses) {
+    Ground ground = corridor(80, 12);
+    index_ground(ground);
+    WorldOptions options{.walkers = 30, .seed = 2, .threads = 1};
+    options.pastimes = {.tourists = 1};
+    auto made_world = make_world(std::make_shared<const Ground>(std::move(ground)), options);
+    ASSERT_TRUE(made_world) << made_world.error().message;
+    World& w = **made_world;
+    int looks = 0, up = 0;
+    std::vector<uint32_t> since(w.crowd.capacity);
+    for (int tick = 0; tick < 7200; ++tick) {
+        step(w);
+        for (const Pastime& p : w.pastimes->all) {
+            if (p.what != Staying::marvels || p.phase != StayPhase::stays) continue;
+            ++looks;
+            EXPECT_LT(w.tick - p.began, 12 * 60u);
+            const Vec3 sees = rotate(joint_pose(w.poses, p.walker, head).rotation, {0, 0, 1});
+            up += w.tick - p.began > 90 && sees.y > 0.3f;
+        }
+    }
+    std::printf("%d ticks of looking, %d with the head up\n", looks, up);
+    EXPECT_GT(looks, 1000);
+    EXPECT_GT(up, looks / 3);
 }
 
 struct Seen {

@@ -88,7 +88,8 @@ void look_at_walkers(const World& w, LifeTally& t) {
         const Pastime* pastime = own_of(w.pastimes->all, i);
         const bool phones = pastime && pastime->phone != PhoneUse::none && w.tick < pastime->phone_until;
         t.on_phones += phones;
-        if (!phones && goes_on(w, i))
+        const bool is_usual = !pastime || pastime->haste == Haste::usual;
+        if (!phones && is_usual && goes_on(w, i))
             t.speeds[is_with ? group->count : 1].push_back(length(c.motion.velocity[i]));
     }
 }

@@ -47,7 +47,11 @@ void lay_out_pastimes(Show& show, Viewer& v, float scale) {
         {"look at windows", "of those who like to, as they pass shops", &PastimeShares::windows,
          !places.windows.empty()},
         {"line up", "of those who pass a window that sells to the street", &PastimeShares::queues,
-         !places.services.empty()}};
+         !places.services.empty()},
+        {"look up at houses", "of those who go alone, now and then", &PastimeShares::tourists, true},
+        {"hurry", "of those who go alone; who is on the way to a bus that is there runs",
+         &PastimeShares::hurrying, true},
+        {"stroll", "of those who go alone", &PastimeShares::strolling, true}};
     for (const auto& slider : sliders) {
         if (!slider.is_there) continue;
         PastimeShares shares = world.pastimes->shares;
