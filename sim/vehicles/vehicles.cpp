@@ -21,7 +21,7 @@ constexpr float k_fades = 5;          // metres from a gate over which one is se
 constexpr float k_comes_at = 6;       // m/s, at most, as one comes in
 constexpr uint32_t k_enters = 30;     // ticks between tries to come in
 constexpr float k_bus_lane = 3.05f;   // metres, at least
-constexpr float k_bus_bend = 4;       // m/s, of bends that it gets round
+constexpr float k_bus_bend = 3.2f;    // m/s, of bends that it gets round
 
 RandomKey key_of(uint64_t seed, uint32_t number, uint32_t when) {
     return {seed, number, when, Purpose::vehicle};
@@ -42,15 +42,23 @@ std::vector<uint8_t> lanes_for_buses(const Lanes& lanes) {
         for (float at = 0; at <= lane.length; at += 2) slowest = std::min(slowest, bend_speed(lanes, i, at));
         takes[i] = lane.width >= k_bus_lane && slowest >= k_bus_bend;
     }
-    for (bool is_any = true; is_any;) {
-        is_any = false;
-        for (uint32_t i = 0; i < takes.size(); ++i) {
-            const Lane& lane = lanes.all[i];
-            if (!takes[i] || lane.is_gate_out) continue;
-            if (std::ranges::none_of(nexts_of(lanes, lane), [&](uint32_t next) { return takes[next] != 0; }))
-                takes[i] = 0, is_any = true;
+    // Those off which a bus gets on; where none could come in again, without leaving the map.
+    auto leave_out = [&](bool may_leave) {
+        for (bool is_any = true; is_any;) {
+            is_any = false;
+            for (uint32_t i = 0; i < takes.size(); ++i) {
+                const Lane& lane = lanes.all[i];
+                if (!takes[i] || (may_leave && lane.is_gate_out)) continue;
+                if (std::ranges::none_of(nexts_of(lanes, lane),
+                                         [&](uint32_t next) { return takes[next] != 0; }))
+                    takes[i] = 0, is_any = true;
+            }
         }
-    }
+    };
+    leave_out(true);
+    bool comes_in = false;
+    for (uint32_t i = 0; i < takes.size(); ++i) comes_in |= takes[i] != 0 && lanes.all[i].is_gate_in;
+    if (!comes_in) leave_out(false);
     return takes;
 }
 
