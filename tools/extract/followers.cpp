@@ -84,9 +84,9 @@ RobeAngles robe_angles(const Character& c, const JointPose* joints, const Pelvis
     const float trail = clamp(rate.moving.z * k_trails, 0, k_most);
     // Without a leg to hold them they hang straight; of who lies, or is on hands and knees, the upper side
     // falls onto the legs, and the lower one is held by the ground or the thighs.
-    const Vec3 down = rotate(pelvis.back, Vec3{0, -1, 0});
-    const float leans =
-        arctan2(down.z, std::max(-down.y, 0.0f)) * std::sqrt(down.z * down.z + down.y * down.y);
+    // Round a compound, where nobody has trails, down is anywhere, and nobody lies.
+    const Vec3 down = pelvis.trail ? rotate(pelvis.back, Vec3{0, -1, 0}) : Vec3{0, -1, 0};
+    const float leans = arctan2(down.z, std::max(-down.y, 0.0f)) * length(Vec3{0, down.y, down.z});
     const float falls_back = std::max(-leans - k_walks, 0.0f), falls_ahead = std::max(leans - k_walks, 0.0f);
     RobeAngles robe;
     robe.front = soft_max(soft_max(ahead[0], ahead[1], k_round), -falls_back, k_round) + flare -
