@@ -21,6 +21,11 @@ namespace {
 // Of the biped's walker.
 bool is_led_by(const World& w, size_t biped) { return is_led(w.crowd, w.stepping->bipeds.walkers[biped]); }
 
+// Which of them is the walker.
+size_t biped_of(const Bipeds& bipeds, uint32_t walker) {
+    return static_cast<size_t>(std::ranges::lower_bound(bipeds.walkers, walker) - bipeds.walkers.begin());
+}
+
 // The crowd learns where they are.
 void tell_crowd(World& w) {
     const Bipeds& bipeds = w.stepping->bipeds;
@@ -223,8 +228,7 @@ bool is_stepping(const World& w, uint32_t walker) { return w.stepping && is_led(
 
 void shove(World& w, uint32_t walker, Vec2 change) {
     Bipeds& bipeds = w.stepping->bipeds;
-    const auto n = std::ranges::lower_bound(bipeds.walkers, walker) - bipeds.walkers.begin();
-    shove(bipeds, static_cast<size_t>(n), change, w.gait);
+    shove(bipeds, biped_of(bipeds, walker), change, w.gait);
 }
 
 bool can_fall(const World& w, uint32_t walker) {
@@ -247,8 +251,7 @@ bool can_fall(const World& w, uint32_t walker) {
 bool is_by_way(const World& w, uint32_t walker, Vec3 place) {
     constexpr float k_beside = 0.6f;  // metres
     const Bipeds& bipeds = w.stepping->bipeds;
-    const auto n = std::ranges::lower_bound(bipeds.walkers, walker) - bipeds.walkers.begin();
-    const BipedWay& way = bipeds.ways[bipeds.all[static_cast<size_t>(n)].way];
+    const BipedWay& way = bipeds.ways[bipeds.all[biped_of(bipeds, walker)].way];
     auto off = [&](Vec3 at) {
         return length(point_on(way, nearest_along(way, on_ground(at))).place - on_ground(at));
     };

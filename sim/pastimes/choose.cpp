@@ -237,6 +237,13 @@ bool lines_up(const PastimeTick& t, const Candidate& c) {
     return true;
 }
 
+// Where it comes to stand if it stops now.
+NavPoint soon_at(const PastimeTick& t, const Candidate& c) {
+    constexpr float k_soon = 0.6f;  // seconds
+    const NavPoint from{c.at, t.crowd.motion.polygon[c.walker]};
+    return move_along(t.mesh, 0, from, c.at + at_height(c.velocity * k_soon, 0));
+}
+
 // Stops where it is soon, and turns to something worth a picture.
 bool takes_picture(const PastimeTick& t, const Candidate& c) {
     constexpr float k_nearest = 6, k_farthest = 22, k_least = 6, k_most = 11;  // metres, seconds
@@ -250,8 +257,7 @@ bool takes_picture(const PastimeTick& t, const Candidate& c) {
         if (far > k_nearest && far < nearest_far && sees) nearest_far = far, sight = s;
     });
     if (sight == k_nobody) return false;
-    const NavPoint from{c.at, t.crowd.motion.polygon[c.walker]};
-    const NavPoint to = move_along(t.mesh, 0, from, c.at + at_height(c.velocity * 0.6f, 0));
+    const NavPoint to = soon_at(t, c);
     const Vec3 what = t.pastimes.places.sights[sight];
     Pastime& p =
         send(t, c, Staying::photographs, on_ground(to.position),
@@ -280,8 +286,7 @@ bool looks_up(const PastimeTick& t, const Candidate& c) {
     const float far = length(off);
     if (far < k_nearest || far > k_farthest || dot(off, way) < 0.25f * far) return false;
     if (!closest_wall(t.around, {wall->point.x, c.at.y + k_high, wall->point.z}, 0.5f)) return false;
-    const NavPoint from{c.at, t.crowd.motion.polygon[c.walker]};
-    const NavPoint to = move_along(t.mesh, 0, from, c.at + at_height(c.velocity * 0.6f, 0));
+    const NavPoint to = soon_at(t, c);
     const Surface kind = surface_of(t.mesh, to.polygon);
     if (kind == Surface::road || kind == Surface::crossing) return false;
     Pastime& p = send(t, c, Staying::marvels, on_ground(to.position),
@@ -328,9 +333,12 @@ void consider(const PastimeTick& t, uint32_t i) {
     if (!t.is_free(t.world, i) || (own_of(t.crowd.called, i) && !own)) return;
     const Candidate c = candidate(t, i);
     const Journey& j = t.crowd.journeys[i];
-    const Haste haste = haste_of(t, i);
-    if (haste != Haste::usual && !own) pastime_of(t, i).haste = haste;
-    own = own_of(t.pastimes.all, i);
+    const Haste haste = own ? own->haste : haste_of(t, i);
+    if (!own && haste != Haste::usual) {
+        Pastime& begun = pastime_of(t, i);
+        begun.haste = haste;
+        own = &begun;
+    }
     const bool is_late = haste == Haste::hurries || haste == Haste::runs;
     const bool may_stay = (!own || own->what == Staying::nowhere) && !is_late;
     const bool goes_about = j.errand == Errand::wander && !(j.leaves && j.arrived) && t.tick > 0 &&

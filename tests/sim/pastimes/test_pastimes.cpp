@@ -124,7 +124,6 @@ TEST(Pastimes, StrangersLookUpAtHouses) {
     ASSERT_TRUE(made_world) << made_world.error().message;
     World& w = **made_world;
     int looks = 0, up = 0;
-    std::vector<uint32_t> since(w.crowd.capacity);
     for (int tick = 0; tick < 7200; ++tick) {
         step(w);
         for (const Pastime& p : w.pastimes->all) {
