@@ -20,7 +20,7 @@ namespace flaneur {
 namespace {
 
 constexpr uint32_t k_no_fall = ~0u;
-constexpr float k_quiet = 0.12f, k_quiet_for = 0.25f, k_longest_fall = 2.5f;  // m/s, seconds
+constexpr float k_quiet = 0.12f, k_quiet_for = 0.25f, k_longest_fall = 3;  // m/s, seconds
 // Of what it carries, a tick: the extrapolated centre of mass comes back over the feet within some 0.3 s, the
 // inverse of sqrt(g / l) (Hof, Gazendam & Sinke 2005).
 constexpr float k_comes_to_rest = 0.95f;
@@ -62,7 +62,7 @@ void begin_fall(World& w, Fall& f) {
     f.floor = w.crowd.motion.under[f.walker].height;
     f.origin = w.crowd.motion.position[f.walker];
     BodyPose now = body_pose_of(w.poses, f.walker);
-    sway_pose(now, f.sway.lean);
+    sway_pose(now, f.sway);
     const BodyPose before = body_pose_of(w.previous_poses, f.walker);
     f.residue = take_over(block, own, f.segments, person, lane, before, now, k_tick, f.origin);
     f.stood = turns_of(block, own);
@@ -133,7 +133,10 @@ void fall_on(World& w, Fall& f) {
     const int own = static_cast<int>(f.lane % k_block);
     TumbleBlock& block = w.falls.blocks[b];
     const TumbleShapes& shapes = w.falls.shapes[b];
-    if (f.lain > 0 || is_down(block, shapes, w.falls.planes[b], own)) f.lain += k_tick;
+    // Nobody holds itself up on an arm for long.
+    constexpr float k_gives_out = 1.3f;  // seconds
+    const bool gives_out = w.tick - f.began > ticks_of(k_gives_out);
+    if (f.lain > 0 || gives_out || is_down(block, shapes, w.falls.planes[b], own)) f.lain += k_tick;
     f.still = f.lain > 0.5f && liveliness(block, shapes, own) < k_quiet ? f.still + k_tick : 0;
     if (f.lain > k_calms_after) calm(block, own, k_calms);
     constexpr float k_any = 1e9f;  // muscles give some until then
@@ -176,7 +179,7 @@ void lie_down(World& w, Fall& f) {
     const float old = smoothstep(50, 80, age);
     f.phase = FallPhase::lies;
     f.began = w.tick;
-    f.rises_at = w.tick + ticks_of(random_between(key, 0.4f, 1.4f, 1) * (1 + 0.3f * old));
+    f.rises_at = w.tick + ticks_of(random_between(key, 0.3f, 1.5f, 1) * (1 + 0.3f * old));
     f.slowness = random_between(key, 0.9f, 1.1f, 2) * (1 + 0.35f * old);
     f.from = body_pose_of(w.previous_poses, f.walker);
     constexpr float k_about = 0.6f;  // metres
@@ -239,7 +242,7 @@ void find_stand(World& w, Fall& f) {
 // What of a body rests on the ground in a stage, `t` of the way through it to `end`.
 Rests rests_of(const Fall& f, const BodyPose& end, const PersonBlock& person, int lane, float t,
                float risen_for) {
-    constexpr float k_hand_lift = 0.05f, k_sees_after = 0.12f;  // metres, seconds
+    constexpr float k_hand_lift = 0.05f, k_sees_after = 0.3f;  // metres, seconds
     Rests rests;
     rests.sees_steps = smoothstep(0, k_sees_after, risen_for);
     for (const Side side : {k_left, k_right}) {
@@ -260,7 +263,7 @@ Rests rests_of(const Fall& f, const BodyPose& end, const PersonBlock& person, in
         rests.hands = 1 - smoothstep(0, 0.35f, t);
         rests.left_foot = smoothstep(0.5f, 1, t);
     } else if (f.stage == RiseStage::stand) {
-        rests.left_foot = 1 - smoothstep(0, 0.3f, t);
+        rests.left_foot = 1 - smoothstep(0.4f, 1, t);
         rests.may_sink = false;
         rests.keeps_feet = true;
     }
@@ -404,7 +407,7 @@ void step_fall(World& w, Fall& f) {
             advance(f.sway, k_tick);
             f.carried = f.carried * k_comes_to_rest;
             BodyPose pose = body_pose_of(w.poses, f.walker);
-            sway_pose(pose, f.sway.lean);
+            sway_pose(pose, f.sway);
             set_body_pose(w.poses, person_of(w, f), f.walker, pose);
             break;
         }

@@ -29,9 +29,11 @@ inline constexpr float k_harmless_push = 0.3f, k_felling_push = 2.2f;
 // How long one who will fall staggers before, seconds, when pushed by `times` what is bearable, 1 or more.
 float staggers_for(float times);
 
-// The sway of a trunk, ahead and to the left, radians, as it answers a push.
+// The sway of a trunk, along the world's axes, radians, as it answers a push, and how far arms go out with
+// it.
 struct TrunkSway {
     Vec2 lean{}, rate{};
+    float arms = 0;
 };
 void shove(TrunkSway& sway, Vec2 change);  // of the body's speed, m/s
 void advance(TrunkSway& sway, float dt);

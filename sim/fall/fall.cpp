@@ -37,11 +37,15 @@ Guard mix_of(const Guard& a, const Guard& b, float t) {
 struct Haste {
     float trunk, neck, arm, leg;
 };
-constexpr Haste k_stiff = {16, 16, 8, 26}, k_guarded = {12, 14, 13, 9}, k_loose = {5, 6, 3, 3};
-constexpr float k_stays = 0.12f, k_guards = 0.35f;  // seconds until one has felt it, and until arms go out
+constexpr Haste k_stiff = {16, 16, 8, 26}, k_guarded = {12, 14, 22, 9}, k_loose = {5, 6, 3, 3};
+constexpr float k_stays = 0.05f, k_guards = 0.22f;  // seconds until one has felt it, and until arms go out
 constexpr float k_slackens = 0.8f;                  // seconds
 // Legs and trunk give way as the body leans so far, radians, or after so long, seconds.
 constexpr float k_topples = 0.4f, k_toppled = 0.95f, k_stood = 1, k_stood_out = 1.5f;
+
+// The step that would have saved it: the leg that is farther from where it goes swings there, degrees.
+constexpr float k_step_ahead = 55, k_step_aside = 32, k_step_knee = 60, k_step_haste = 16;
+constexpr float k_slack_pull = 0.35f;  // radians from where a limb lies that slack muscles draw it at most
 
 // How far the body leans that stands on its feet, radians.
 float lean_of(const TumbleBlock& block, int lane) {
@@ -85,6 +89,32 @@ Quat guard_of(int s, const Guard& left, const Guard& right, float neck_aside) {
         default:
             return {};
     }
+}
+
+// Of the saving step: its leg, thigh and shank as they swing the `way` that the body sees, and 1 where it is
+// the left one.
+struct SavingStep {
+    Quat thigh, shank;
+    bool is_left;
+};
+SavingStep saving_step(const std::array<Quat, k_segment_count>& stood, Vec2 way) {
+    constexpr float k_near_side = 0.5f;  // whether it is near counts as much as how far back it is
+    auto reaches = [&](int thigh) {
+        const Vec3 points = rotate(stood[thigh], {0, -1, 0});
+        return points.x * way.x + points.z * way.z;
+    };
+    const bool is_left =
+        reaches(left_thigh) - k_near_side * way.x < reaches(right_thigh) + k_near_side * way.x;
+    const float aside = std::fabs(way.x), side = is_left ? 1.0f : -1.0f;
+    return {bent(k_step_ahead * way.z * (way.z > 0 ? 1.0f : 0.5f), k_step_aside * aside, side),
+            bent(-k_step_knee * (1 - 0.5f * aside)), is_left};
+}
+
+// Slack muscles lift nothing: they draw a limb no farther than a little from where it is.
+Quat drawn_from(const Quat& is, const Quat& turn) {
+    const float cosine = std::fabs(is.x * turn.x + is.y * turn.y + is.z * turn.z + is.w * turn.w);
+    const float angle = 2 * arctan2(std::sqrt(std::max(1 - cosine * cosine, 0.0f)), cosine);
+    return angle > k_slack_pull ? nlerp(is, turn, k_slack_pull / angle) : turn;
 }
 
 }  // namespace
@@ -135,14 +165,21 @@ void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
     const float feels = smoothstep(k_stays, k_guards, seconds), slack = smoothstep(0, k_slackens, lain);
     const float gives = std::max({feels * smoothstep(k_topples, k_toppled, lean_of(block, lane)),
                                   smoothstep(k_stood, k_stood_out, seconds), slack});
+    const SavingStep step = saving_step(stood, way);
+    const std::array<Quat, k_segment_count> are = turns_of(block, lane);
     for (int s = 1; s < k_segment_count; ++s) {
         const bool is_arm = is_limb(s, left_arm, right_arm, 3);
         const float guards = is_arm ? feels : gives;
-        const Quat turn = nlerp(stood[s], guard_of(s, left, right, neck_aside), guards);
-        set_row(aims.turn[s], lane, turn);
-        aims.haste[s][lane] =
-            lerp(lerp(pick(k_stiff, s), pick(k_guarded, s), guards), pick(k_loose, s), slack);
-        aims.drag[s][lane] = lerp(8, 15, slack);
+        Quat turn = nlerp(stood[s], guard_of(s, left, right, neck_aside), guards);
+        float haste = lerp(pick(k_stiff, s), pick(k_guarded, s), guards);
+        const int thigh = step.is_left ? left_thigh : right_thigh;
+        if (s == thigh || s == thigh + 1) {
+            turn = nlerp(turn, s == thigh ? step.thigh : step.shank, feels * (1 - gives));
+            haste = lerp(haste, k_step_haste, feels * (1 - gives));
+        }
+        set_row(aims.turn[s], lane, nlerp(turn, drawn_from(are[s], turn), slack));
+        aims.haste[s][lane] = lerp(haste, pick(k_loose, s), slack);
+        aims.drag[s][lane] = lerp(8, is_arm ? 6 : 15, slack);
     }
 }
 

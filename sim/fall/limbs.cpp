@@ -242,14 +242,26 @@ void breathe(BodyPose& pose, float seconds, float depth) {
     pose.rotation[head] = normalize(pose.rotation[head] * rotation_y(turn));
 }
 
-void sway_pose(BodyPose& pose, Vec2 lean) {
-    const float angle = length(lean);
-    if (angle < 1e-5f) return;
-    const Vec2 way = lean / angle;
-    const Vec3 axis{way.z, 0, -way.x};  // up turns towards the lean about it
-    for (int j = spine; j <= right_hand; ++j) {
-        const float share = j == spine ? 0.4f : j == chest ? 0.7f : j == head ? 0.4f : 1.0f;
-        pose.rotation[j] = normalize(rotation_about(axis, share * angle) * pose.rotation[j]);
+void sway_pose(BodyPose& pose, const TrunkSway& sway) {
+    const float angle = length(sway.lean);
+    if (angle > 1e-5f) {
+        const Vec2 way = sway.lean / angle;
+        const Vec3 axis{way.z, 0, -way.x};  // up turns towards the lean about it
+        for (int j = spine; j <= right_hand; ++j) {
+            const float share = j == spine ? 0.4f : j == chest ? 0.7f : j == head ? 0.4f : 1.0f;
+            pose.rotation[j] = normalize(rotation_about(axis, share * angle) * pose.rotation[j]);
+        }
+    }
+    constexpr float k_ahead = 0.4f, k_elbow = 0.7f;  // of what they go outward
+    const Quat body = pose.rotation[upper_chest];
+    for (const Side side : {k_left, k_right}) {
+        const int arm = side == k_left ? left_upper_arm : right_upper_arm;
+        const float outward = side == k_left ? sway.arms : -sway.arms;
+        const Quat lifts = rotation_about(rotate(body, {0, 0, 1}), outward) *
+                           rotation_about(rotate(body, {1, 0, 0}), -k_ahead * sway.arms);
+        for (int j = arm; j <= arm + 2; ++j) pose.rotation[j] = normalize(lifts * pose.rotation[j]);
+        const Quat bends = rotation_about(rotate(pose.rotation[arm], {1, 0, 0}), -k_elbow * sway.arms);
+        for (int j = arm + 1; j <= arm + 2; ++j) pose.rotation[j] = normalize(bends * pose.rotation[j]);
     }
 }
 

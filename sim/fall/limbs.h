@@ -1,6 +1,7 @@
 // Arms, legs, neck and trunk of one body that are set anew, on top of a pose.
 #pragma once
 
+#include "sim/fall/balance.h"
 #include "sim/fall/body_pose.h"
 
 namespace flaneur {
@@ -56,9 +57,9 @@ HeadTurn turn_to_look(const BodyPose& pose, const PersonBlock& person, int lane,
 // Turns neck and head there, by `part` of the way from where they are.
 void turn_head(BodyPose& pose, HeadTurn gaze, float part);
 
-// Trunk, head and arms turned by as many radians as `lean` is long, along it on the ground plane; the head
-// half of that, since eyes stay level.
-void sway_pose(BodyPose& pose, Vec2 lean);
+// Trunk, head and arms turned by as many radians as the sway leans, along it on the ground plane; the head
+// half of that, since eyes stay level; and arms lifted outward and somewhat ahead.
+void sway_pose(BodyPose& pose, const TrunkSway& sway);
 // Leans the trunk ahead by so many radians from the hips up, the head with half of it. Arms hang on.
 void lean_trunk(BodyPose& pose, float angle);
 

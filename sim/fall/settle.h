@@ -31,7 +31,7 @@ struct Rests {
 // whether the ground has no steps.
 bool settle(BodyPose& pose, const BodyPose& before, const Segments& segments, const PersonBlock& person,
             int lane, const Surroundings& around, float floor, const Rests& rests, float& raised, float dt);
-inline constexpr float k_rises = 8, k_sinks = 1.6f;
+inline constexpr float k_rises = 7, k_sinks = 1.6f;
 
 // How far the lowest of trunk, thighs and knees is above the ground, metres; 0 if it is in it.
 float air_below(const BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
