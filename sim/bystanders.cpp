@@ -25,9 +25,6 @@ constexpr float k_usual_tries = 1.8f;  // of each who could help, over the share
 uint32_t ticks_of(float seconds) { return static_cast<uint32_t>(seconds / k_tick); }
 float seconds_of(uint32_t ticks) { return static_cast<float>(ticks) * k_tick; }
 
-const PersonBlock& person_of(const World& w, uint32_t walker) { return w.gait.people[walker / k_block]; }
-int lane_of(uint32_t walker) { return static_cast<int>(walker % k_block); }
-
 float age_of(const World& w, uint32_t walker) { return w.kinds[w.crowd.identity.body[walker]].age; }
 
 // And does nothing else.

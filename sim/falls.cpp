@@ -20,21 +20,14 @@ namespace flaneur {
 namespace {
 
 constexpr uint32_t k_no_fall = ~0u;
-constexpr float k_quiet = 0.12f, k_quiet_for = 0.25f, k_longest_fall = 3;  // m/s, seconds
+constexpr float k_quiet = 0.12f, k_quiet_for = 0.25f, k_longest_fall = 2.8f;  // m/s, seconds
 // Of what it carries, a tick: the extrapolated centre of mass comes back over the feet within some 0.3 s, the
 // inverse of sqrt(g / l) (Hof, Gazendam & Sinke 2005).
 constexpr float k_comes_to_rest = 0.95f;
-constexpr float k_pulled = 0.75f;                       // of the time that a stage takes
+constexpr float k_meets_standing = 1.2f;                // seconds
 constexpr float k_calms_after = 0.8f, k_calms = 0.93f;  // seconds; of how it moves, a tick
 
 uint32_t ticks_of(float seconds) { return static_cast<uint32_t>(seconds / k_tick); }
-
-const PersonBlock& person_of(const World& w, const Fall& f) { return w.gait.people[f.walker / k_block]; }
-int lane_in_gait(const Fall& f) { return static_cast<int>(f.walker % k_block); }
-
-float leg_of(const World& w, uint32_t walker) {
-    return w.gait.people[walker / k_block].joints[left_upper_leg][1][walker % k_block];
-}
 
 // The first that nobody has.
 void take_lane(Falls& falls, Fall& f) {
@@ -49,8 +42,8 @@ void take_lane(Falls& falls, Fall& f) {
 }
 
 void begin_fall(World& w, Fall& f) {
-    const PersonBlock& person = person_of(w, f);
-    const int lane = lane_in_gait(f);
+    const PersonBlock& person = person_of(w, f.walker);
+    const int lane = lane_of(f.walker);
     take_lane(w.falls, f);
     TumbleBlock& block = w.falls.blocks[f.lane / k_block];
     const int own = static_cast<int>(f.lane % k_block);
@@ -62,7 +55,7 @@ void begin_fall(World& w, Fall& f) {
     f.floor = w.crowd.motion.under[f.walker].height;
     f.origin = w.crowd.motion.position[f.walker];
     BodyPose now = body_pose_of(w.poses, f.walker);
-    sway_pose(now, f.sway);
+    sway_pose(now, f.sway, own_of(w.gait.canes, f.walker));
     const BodyPose before = body_pose_of(w.previous_poses, f.walker);
     f.residue = take_over(block, own, f.segments, person, lane, before, now, k_tick, f.origin);
     f.stood = turns_of(block, own);
@@ -81,20 +74,36 @@ void begin_fall(World& w, Fall& f) {
 }
 
 BodyInTheWay in_the_way(const World& w, const Fall& f) {
-    return {balls_of(body_pose_of(w.previous_poses, f.walker), f.segments, person_of(w, f), lane_in_gait(f)),
+    return {balls_of(body_pose_of(w.previous_poses, f.walker), f.segments, person_of(w, f.walker),
+                     lane_of(f.walker)),
             f.segments.radius};
 }
 
-// Everybody else on the ground who is so near that bodies may touch.
+BodyInTheWay standing_in_the_way(const World& w, uint32_t walker) {
+    const PersonBlock& person = person_of(w, walker);
+    const int lane = lane_of(walker);
+    const Segments segments = segments_of(person, lane);
+    return {balls_of(body_pose_of(w.previous_poses, walker), segments, person, lane), segments.radius};
+}
+
+// Calls act(walker, its fall or null) for everybody else who is so near that bodies may touch; who sways
+// still stands.
 template <class Do>
-void for_fallen_near(const World& w, const Fall& f, const Do& act) {
+void for_those_near(const World& w, const Fall& f, const Do& act) {
     constexpr float k_reach = 2.2f;  // metres, of hips
     std::array<uint32_t, 64> near;
     const size_t count = those_near(w, w.crowd.motion.position[f.walker], k_reach, near);
     for (const uint32_t i : std::span(near).first(count)) {
-        const Fall* other = i == f.walker ? nullptr : own_of(w.falls.all, i);
-        if (other && other->phase != FallPhase::sways) act(*other);
+        if (i == f.walker) continue;
+        const Fall* other = own_of(w.falls.all, i);
+        act(i, other && other->phase != FallPhase::sways ? other : nullptr);
     }
+}
+template <class Do>
+void for_fallen_near(const World& w, const Fall& f, const Do& act) {
+    for_those_near(w, f, [&](uint32_t, const Fall* other) {
+        if (other) act(*other);
+    });
 }
 
 // Who lies under another waits until that one is up, for a while.
@@ -123,8 +132,12 @@ void prepare_fall(World& w, const Fall& f) {
                off = on_ground(body_pose_of(w.previous_poses, f.walker).hips) - place;
     if (length(off) > k_followed)
         hold_back(falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin, place, off / length(off));
-    for_fallen_near(w, f, [&](const Fall& other) {
-        meet_body(falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin, in_the_way(w, other));
+    // Whoever stands there is slid down along, and has gone aside by the time that one lies.
+    const bool meets_standing = w.tick - f.began < ticks_of(k_meets_standing);
+    for_those_near(w, f, [&](uint32_t i, const Fall* other) {
+        if (other || meets_standing)
+            meet_body(falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin,
+                      other ? in_the_way(w, *other) : standing_in_the_way(w, i));
     });
 }
 
@@ -134,7 +147,7 @@ void fall_on(World& w, Fall& f) {
     TumbleBlock& block = w.falls.blocks[b];
     const TumbleShapes& shapes = w.falls.shapes[b];
     // Nobody holds itself up on an arm for long.
-    constexpr float k_gives_out = 1.3f;  // seconds
+    constexpr float k_gives_out = 1.2f;  // seconds
     const bool gives_out = w.tick - f.began > ticks_of(k_gives_out);
     if (f.lain > 0 || gives_out || is_down(block, shapes, w.falls.planes[b], own)) f.lain += k_tick;
     f.still = f.lain > 0.5f && liveliness(block, shapes, own) < k_quiet ? f.still + k_tick : 0;
@@ -143,198 +156,8 @@ void fall_on(World& w, Fall& f) {
     f.energy = keep_energy(block, f.segments, own, f.lain > 0 ? f.energy : k_any);
     constexpr float k_settles = 0.94f;  // of what is left of it, a tick
     for (Quat& turn : f.residue) turn = nlerp({}, turn, k_settles);
-    set_body_pose(w.poses, person_of(w, f), f.walker,
+    set_body_pose(w.poses, person_of(w, f.walker), f.walker,
                   body_pose_of(block, own, f.segments, f.residue, f.origin));
-}
-
-// Where one comes to from a place towards another: along the mesh, or on a course, of which there is none, as
-// far as there is ground about as high, beside its way.
-NavPoint follow_to(const World& w, uint32_t walker, Vec2 to) {
-    const CrowdMotion& m = w.crowd.motion;
-    const NavPoint from{m.position[walker], m.polygon[walker]};
-    const Vec3 there = at_height(to, from.position.y);
-    if (!is_on_course(w)) return move_along(*w.navmesh, 0, from, there, by_of(w.crowd, walker));
-    constexpr float k_above = 1, k_level = 0.25f;                              // metres
-    const auto hit = ground_at(*w.stepping->ground, there, k_above, k_level);  // what moves would leave it
-    const bool is_level = hit && is_walked(hit->kind) && hit->height < from.position.y + k_level;
-    return is_level && is_by_way(w, walker, there) ? NavPoint{there, from.polygon} : from;
-}
-
-// Where the crowd has it goes there, onto ground up to `up` metres higher.
-void move_root(World& w, uint32_t walker, Vec2 to, float up) {
-    CrowdMotion& m = w.crowd.motion;
-    const NavPoint end = follow_to(w, walker, to);
-    m.position[walker] = end.position;
-    m.polygon[walker] = end.polygon;
-    if (const auto hit = ground_at(w.around, end.position, up, 1.5f)) {
-        m.position[walker].y = hit->height;
-        m.under[walker] = *hit;
-    }
-}
-
-// How long one lies before getting up, seconds, how slowly it does that, and which way.
-void lie_down(World& w, Fall& f) {
-    const float age = w.kinds[w.crowd.identity.body[f.walker]].age;
-    const RandomKey key{w.seed, f.walker, w.tick, Purpose::fall};
-    const float old = smoothstep(50, 80, age);
-    f.phase = FallPhase::lies;
-    f.began = w.tick;
-    f.rises_at = w.tick + ticks_of(random_between(key, 0.3f, 1.5f, 1) * (1 + 0.3f * old));
-    f.slowness = random_between(key, 0.9f, 1.1f, 2) * (1 + 0.35f * old);
-    f.from = body_pose_of(w.previous_poses, f.walker);
-    constexpr float k_about = 0.6f;  // metres
-    f.lie = lie_of(f.from, person_of(w, f), lane_in_gait(f), slope_at(w.around, f.from.hips, k_about));
-    f.hips_at = on_ground(f.from.hips);
-    f.stands_at = f.hips_at + heading_direction(f.lie.heading) * rise_ahead(leg_of(w, f.walker));
-}
-
-// Where it lies is where others find it.
-void follow_hips(World& w, const Fall& f) {
-    move_root(w, f.walker, on_ground(body_pose_of(w.previous_poses, f.walker).hips), 0.5f);
-    w.crowd.motion.velocity[f.walker] = {};
-}
-
-void begin_to_rise(World& w, Fall& f) {
-    f.phase = FallPhase::rises;
-    f.began = w.tick;
-    f.share = 0;
-    f.raised = air_below(f.from, f.segments, person_of(w, f), lane_in_gait(f), w.around, f.floor);
-    f.stage = first_stage(f.lie);
-    w.crowd.motion.turn_rate[f.walker] = 0;
-}
-
-// Its place and heading come to where it will stand while it gets to its knees.
-void turn_root(World& w, const Fall& f) {
-    constexpr float k_speed = 0.7f, k_rate = 2.6f;  // m/s, rad/s
-    CrowdMotion& m = w.crowd.motion;
-    const Vec2 at = on_ground(m.position[f.walker]), way = f.stands_at - at;
-    const float far = length(way), most = k_speed * k_tick;
-    if (far > 1e-3f) move_root(w, f.walker, far > most ? at + way * (most / far) : f.stands_at, 0.8f);
-    float& heading = m.heading[f.walker];
-    heading =
-        wrap_angle(heading + clamp(wrap_angle(f.lie.heading - heading), -k_rate * k_tick, k_rate * k_tick));
-}
-
-// From now on the gait has it stand there.
-void find_stance(World& w, Fall& f) {
-    const BodyPose now = body_pose_of(w.poses, f.walker), drawn = body_pose_of(w.previous_poses, f.walker);
-    w.crowd.motion.heading[f.walker] = f.lie.heading;
-    start_body(w, f.walker);
-    f.stance = body_pose_of(w.poses, f.walker);
-    set_body_pose(w.poses, person_of(w, f), f.walker, now);
-    set_body_pose(w.previous_poses, person_of(w, f), f.walker, drawn);
-}
-
-// From hands and knees, where it will stand is where the foot that it sets down next can stay.
-void find_stand(World& w, Fall& f) {
-    const PersonBlock& person = person_of(w, f);
-    const int lane = lane_in_gait(f);
-    float& heading = w.crowd.motion.heading[f.walker];
-    const float turned = heading;
-    find_stance(w, f);
-    heading = turned;
-    const BodyPose kneels = end_of(RiseStage::kneel, f.lie, person, lane, f.hips_at);
-    const Vec3 sets = places_of(kneels, person, lane)[left_foot],
-               stands = places_of(f.stance, person, lane)[left_foot];
-    f.stands_at = on_ground(w.crowd.motion.position[f.walker]) + on_ground(sets - stands);
-}
-
-// What of a body rests on the ground in a stage, `t` of the way through it to `end`.
-Rests rests_of(const Fall& f, const BodyPose& end, const PersonBlock& person, int lane, float t,
-               float risen_for) {
-    constexpr float k_hand_lift = 0.05f, k_sees_after = 0.3f;  // metres, seconds
-    Rests rests;
-    rests.sees_steps = smoothstep(0, k_sees_after, risen_for);
-    for (const Side side : {k_left, k_right}) {
-        const auto k = static_cast<size_t>(side);
-        rests.arms_from[k] = arm_way(f.from, person, lane, side);
-        rests.arms_to[k] =
-            f.stage <= RiseStage::fours ? arm_way(end, person, lane, side) : rests.arms_from[k];
-    }
-    if (f.stage == RiseStage::side) {
-        rests.hands = 1;
-        rests.hands_on = t;
-        rests.hands_above = palms_above(end, f.segments, person, lane);
-    } else if (f.stage == RiseStage::fours) {
-        rests.hands = 1;
-        rests.hands_on = t;
-        rests.hands_lift = k_hand_lift;
-    } else if (f.stage == RiseStage::kneel) {
-        rests.hands = 1 - smoothstep(0, 0.35f, t);
-        rests.left_foot = smoothstep(0.5f, 1, t);
-    } else if (f.stage == RiseStage::stand) {
-        rests.left_foot = 1 - smoothstep(0.4f, 1, t);
-        rests.may_sink = false;
-        rests.keeps_feet = true;
-    }
-    return rests;
-}
-
-// How it will stand: on its feet as they were found, and with its trunk and arms as they are by now.
-BodyPose stance_of(const World& w, const Fall& f) {
-    BodyPose stance = f.stance;
-    const BodyPose now = body_pose_of(w.poses, f.walker);
-    for (int j = spine; j <= right_hand; ++j) stance.rotation[j] = now.rotation[j];
-    return stance;
-}
-
-void rise_on(World& w, Fall& f) {
-    const PersonBlock& person = person_of(w, f);
-    const int lane = lane_in_gait(f);
-    const bool is_pulled = f.held != 0 && f.stage >= RiseStage::kneel;
-    const float seconds = seconds_of(f.stage) * f.slowness * (is_pulled ? k_pulled : 1);
-    f.share = std::min(f.share + k_tick / seconds, 1.0f);
-    const float t = smoothstep(0, 1, f.share);
-    BodyPose pose, end;
-    if (f.stage == RiseStage::stand) {
-        end = stance_of(w, f);
-        pose = mixed(f.from, end, t);
-        // First the weight comes over the foot that was set down, with the trunk bowed, and then up.
-        constexpr float k_comes_over = 0.65f, k_rises_after = 0.15f, k_bows = 0.3f;  // of the time; radians
-        const Vec2 over = on_ground(lerp(f.from.hips, end.hips, smoothstep(0, k_comes_over, f.share)));
-        pose.hips = at_height(over, lerp(f.from.hips.y, end.hips.y, smoothstep(k_rises_after, 1, f.share)));
-        lean_trunk(pose, k_bows * bell(1 - std::fabs(2 * f.share - 1)));
-        // The foot that was set down stays; once the body is over it the other one is lifted, and set down
-        // beside it.
-        constexpr float k_lifts = 0.13f, k_leaves = 0.24f;  // of the leg; of the time
-        const auto began = places_of(f.from, person, lane), ends = places_of(end, person, lane);
-        const float goes = smoothstep(k_leaves, 1, f.share),
-                    lift = 4 * goes * (1 - goes) * k_lifts * leg_of(w, f.walker);
-        reach_with_leg(pose, person, lane, k_left, lerp(began[left_foot], ends[left_foot], t));
-        reach_with_leg(pose, person, lane, k_right,
-                       lerp(began[right_foot], ends[right_foot], goes) + Vec3{0, lift, 0});
-    } else {
-        end = end_of(f.stage, f.lie, person, lane, f.hips_at);
-        end.hips.y += w.crowd.motion.position[f.walker].y;
-        pose = mixed(f.from, end, t);
-    }
-    // Limbs that were set on the ground may have come to a wall; on steps they stay where they stand. Who has
-    // been moved aside goes on from there: limbs are bound to where they were, and must not fall behind.
-    // Nobody is moved beyond where one can walk, and who lies at its edge gets up from there.
-    auto keep_off = [&] {
-        constexpr float k_edge = 0.35f, k_crawls = 0.008f;  // metres from the place; a tick
-        Vec3 aside = keep_off_walls(pose, f.segments, person, lane, w.around);
-        const Vec2 off = on_ground(pose.hips - w.crowd.motion.position[f.walker]);
-        const float far = length(off);
-        if (far > k_edge) {
-            const float out = std::max(dot(on_ground(aside), off) / far, 0.0f);
-            const Vec3 back = at_height(off * (-std::min(far - k_edge, out + k_crawls) / far), 0);
-            pose.hips += back;
-            aside += back;
-        }
-        f.hips_at += on_ground(aside);
-        f.from.hips += aside;
-    };
-    keep_off();
-    const bool is_smooth = settle(
-        pose, body_pose_of(w.previous_poses, f.walker), f.segments, person, lane, w.around, f.floor,
-        rests_of(f, end, person, lane, t, static_cast<float>(w.tick - f.began) * k_tick), f.raised, k_tick);
-    if (is_smooth) keep_off();
-    set_body_pose(w.poses, person, f.walker, pose);
-    if (f.share < 1) return;
-    f.from = pose;
-    f.share = 0;
-    f.stage = next_stage(f.stage);
 }
 
 // Poses of this tick are as yet the gait's; how it fell and lies is in those of the one before.
@@ -347,11 +170,8 @@ void change_phase(World& w, Fall& f) {
         if (f.still > k_quiet_for || has_long) lie_down(w, f);
     } else if (f.phase == FallPhase::lies) {
         if (w.tick >= f.rises_at && !is_awaited(w, f) && !is_lain_on(w, f)) begin_to_rise(w, f);
-    } else if (f.stage < RiseStage::stand) {
-        if (f.share == 0 && f.stage == RiseStage::kneel) find_stand(w, f);
-        turn_root(w, f);
-    } else if (f.share == 0 && f.stage == RiseStage::stand) {
-        find_stance(w, f);
+    } else {
+        choose_stand(w, f);
     }
     if (f.phase != FallPhase::sways) lie_across(w.crowd, lying(w, f));
 }
@@ -379,21 +199,32 @@ void step_cane(World& w, const Fall& f) {
         loose.turn = was.rotation;
         rod = &*w.falls.rods.insert(take_away(w.falls.rods, f.walker), loose);
     }
-    const Vec3 hangs = normalize_or(tip - palm, {0, -1, 0}),
-               in_hand = rotate(conjugate(hand.rotation), hangs);
+    const Vec3 hangs = normalize_or(tip - palm, {0, -1, 0});
     const bool is_standing_up = f.phase == FallPhase::rises && f.stage >= RiseStage::stand;
-    if (is_standing_up) {
-        const float t = f.stage == RiseStage::done ? 1 : smoothstep(0, 1, f.share);
-        const float by = t < 1 ? (t - rod->share) / (1 - rod->share) : 1;
-        rod->share = t;
-        point_rod(*rod, w.around, palm, hangs, by);
-        turn_rod(*rod, in_hand);
-        rod->turn = nlerp(rod->turn, hand.rotation, by);
-        return;
+    const float stands = f.stage == RiseStage::done ? 1 : smoothstep(0, 1, f.share);
+    carry_rod(*rod, w.around, palm, hangs, hand.rotation, is_standing_up ? stands : 0);
+}
+
+// Who comes down on others who stand makes them step aside.
+void jostle(World& w) {
+    constexpr float k_hits_after = 0.25f, k_reach = 0.75f, k_gives = 0.45f;  // seconds, metres, m/s
+    constexpr size_t k_most = 8;
+    struct Jostled {
+        uint32_t walker;
+        Vec2 by;
+    };
+    std::array<Jostled, k_most> jostled;
+    size_t count = 0;
+    for (const Fall& f : w.falls.all) {
+        if (f.phase != FallPhase::falls || w.tick - f.began != ticks_of(k_hits_after)) continue;
+        const Vec2 chest = on_ground(joint_pose(w.previous_poses, f.walker, upper_chest).position);
+        for_those_near(w, f, [&](uint32_t i, const Fall* other) {
+            const Vec2 off = on_ground(w.crowd.motion.position[i]) - chest;
+            if (other || count == k_most || length(off) > k_reach || dot(off, f.to) < 0) return;
+            jostled[count++] = {i, normalize_or(off, f.to) * k_gives};
+        });
     }
-    rod->share = 0;
-    swing_rod(*rod, w.around, palm, k_tick);
-    turn_rod(*rod, in_hand);
+    for (const Jostled& j : std::span(jostled).first(count)) push_walker(w, j.walker, j.by);
 }
 
 bool is_done(const Fall& f) {
@@ -407,20 +238,16 @@ void step_fall(World& w, Fall& f) {
             advance(f.sway, k_tick);
             f.carried = f.carried * k_comes_to_rest;
             BodyPose pose = body_pose_of(w.poses, f.walker);
-            sway_pose(pose, f.sway);
-            set_body_pose(w.poses, person_of(w, f), f.walker, pose);
+            sway_pose(pose, f.sway, own_of(w.gait.canes, f.walker));
+            set_body_pose(w.poses, person_of(w, f.walker), f.walker, pose);
             break;
         }
         case FallPhase::falls:
             fall_on(w, f);
             break;
-        case FallPhase::lies: {
-            BodyPose pose = f.from;
-            const float lain = static_cast<float>(w.tick - f.began) * k_tick;
-            breathe(pose, lain, smoothstep(0, 0.5f, lain));
-            set_body_pose(w.poses, person_of(w, f), f.walker, pose);
+        case FallPhase::lies:
+            lie_on(w, f);
             break;
-        }
         case FallPhase::rises:
             rise_on(w, f);
             break;
@@ -431,8 +258,8 @@ void step_fall(World& w, Fall& f) {
 
 Downed lying(const World& w, const Fall& f) {
     constexpr std::array<int, k_lying_parts> k_balls = {6, 3, 4, 7, 15, 9, 17, 11, 19, 12, 20, 14, 22};
-    const auto balls =
-        balls_of(body_pose_of(w.previous_poses, f.walker), f.segments, person_of(w, f), lane_in_gait(f));
+    const auto balls = balls_of(body_pose_of(w.previous_poses, f.walker), f.segments, person_of(w, f.walker),
+                                lane_of(f.walker));
     const Vec2 at = on_ground(w.crowd.motion.position[f.walker]);
     Downed down{.walker = f.walker};
     for (size_t k = 0; k < k_lying_parts; ++k) {
@@ -470,6 +297,7 @@ void step_falls(World& w) {
     Falls& falls = w.falls;
     if (falls.all.empty()) return;
     for (Fall& f : falls.all) change_phase(w, f);
+    if (!is_on_course(w)) jostle(w);
     falls.shapes.resize(falls.blocks.size());
     falls.aims.resize(falls.blocks.size());
     falls.planes.resize(falls.blocks.size());

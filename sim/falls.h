@@ -85,6 +85,18 @@ uint64_t hash_falls(const World& world);
 // for; returns how many.
 size_t those_near(const World& world, Vec3 place, float reach, std::span<uint32_t> found);
 
+// From lying to standing. How long it lies before getting up, how slowly it does that, and which way;
+void lie_down(World& world, Fall& fall);
+// where it lies is where others find it;
+void follow_hips(World& world, const Fall& fall);
+// it breathes, and shins that came to rest in the air are let down;
+void lie_on(World& world, Fall& fall);
+void begin_to_rise(World& world, Fall& fall);
+// its place comes to where it will stand, before poses are found,
+void choose_stand(World& world, Fall& fall);
+// and a tick of its body.
+void rise_on(World& world, Fall& fall);
+
 // Where it lies, by rows of its body that others go round.
 Downed lying(const World& world, const Fall& fall);
 // Seconds that it will take to get up, from where it lies.

@@ -182,6 +182,10 @@ inline const SurfaceWalkers& creature_walkers(const World& world) {
 // two ticks.
 float drunk_of(const World& world, uint32_t walker);
 void set_drunk(World& world, float drunk);
+// Its body, with others in a block; see lane_of().
+inline const PersonBlock& person_of(const World& world, uint32_t walker) {
+    return world.gait.people[walker / k_block];
+}
 // How a walker moves, as it was drawn for it.
 Manner manner_of(const World& world, uint32_t walker);
 

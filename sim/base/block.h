@@ -7,6 +7,7 @@ namespace flaneur {
 
 inline constexpr int k_block = 16;  // walkers in a block
 
+constexpr int lane_of(size_t walker) { return static_cast<int>(walker % k_block); }
 constexpr size_t block_count(size_t walkers) { return (walkers + k_block - 1) / k_block; }
 
 // One number of each walker of a block.

@@ -22,8 +22,6 @@ bool is_seen(const Crowd& c, uint32_t group, uint32_t i) {
     return c.fellows[i].group == group && c.at_once[i / k_block] == 1;
 }
 
-int lane_of(uint32_t i) { return static_cast<int>(i % k_block); }
-
 void let_hands_hang(GaitBlock& g, int lane, uint32_t tick) {
     constexpr int32_t k_pause = 60;  // ticks
     if (g.posture[lane] != 0) {

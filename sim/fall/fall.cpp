@@ -110,7 +110,7 @@ SavingStep saving_step(const std::array<Quat, k_segment_count>& stood, Vec2 way)
             bent(-k_step_knee * (1 - 0.5f * aside)), is_left};
 }
 
-// Slack muscles lift nothing: they draw a limb no farther than a little from where it is.
+// Slack arms lift nothing: muscles draw them no farther than a little from where they are.
 Quat drawn_from(const Quat& is, const Quat& turn) {
     const float cosine = std::fabs(is.x * turn.x + is.y * turn.y + is.z * turn.z + is.w * turn.w);
     const float angle = 2 * arctan2(std::sqrt(std::max(1 - cosine * cosine, 0.0f)), cosine);
@@ -177,7 +177,7 @@ void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
             turn = nlerp(turn, s == thigh ? step.thigh : step.shank, feels * (1 - gives));
             haste = lerp(haste, k_step_haste, feels * (1 - gives));
         }
-        set_row(aims.turn[s], lane, nlerp(turn, drawn_from(are[s], turn), slack));
+        set_row(aims.turn[s], lane, is_arm ? nlerp(turn, drawn_from(are[s], turn), slack) : turn);
         aims.haste[s][lane] = lerp(haste, pick(k_loose, s), slack);
         aims.drag[s][lane] = lerp(8, is_arm ? 6 : 15, slack);
     }

@@ -242,12 +242,13 @@ void breathe(BodyPose& pose, float seconds, float depth) {
     pose.rotation[head] = normalize(pose.rotation[head] * rotation_y(turn));
 }
 
-void sway_pose(BodyPose& pose, const TrunkSway& sway) {
+void sway_pose(BodyPose& pose, const TrunkSway& sway, bool has_cane) {
     const float angle = length(sway.lean);
     if (angle > 1e-5f) {
         const Vec2 way = sway.lean / angle;
         const Vec3 axis{way.z, 0, -way.x};  // up turns towards the lean about it
         for (int j = spine; j <= right_hand; ++j) {
+            if (has_cane && j >= right_upper_arm) continue;
             const float share = j == spine ? 0.4f : j == chest ? 0.7f : j == head ? 0.4f : 1.0f;
             pose.rotation[j] = normalize(rotation_about(axis, share * angle) * pose.rotation[j]);
         }
@@ -255,7 +256,8 @@ void sway_pose(BodyPose& pose, const TrunkSway& sway) {
     constexpr float k_ahead = 0.4f, k_elbow = 0.7f;  // of what they go outward
     const Quat body = pose.rotation[upper_chest];
     for (const Side side : {k_left, k_right}) {
-        const int arm = side == k_left ? left_upper_arm : right_upper_arm;
+        if (has_cane && side == k_right) continue;
+        const int arm = upper_arm_of(side);
         const float outward = side == k_left ? sway.arms : -sway.arms;
         const Quat lifts = rotation_about(rotate(body, {0, 0, 1}), outward) *
                            rotation_about(rotate(body, {1, 0, 0}), -k_ahead * sway.arms);

@@ -58,8 +58,9 @@ HeadTurn turn_to_look(const BodyPose& pose, const PersonBlock& person, int lane,
 void turn_head(BodyPose& pose, HeadTurn gaze, float part);
 
 // Trunk, head and arms turned by as many radians as the sway leans, along it on the ground plane; the head
-// half of that, since eyes stay level; and arms lifted outward and somewhat ahead.
-void sway_pose(BodyPose& pose, const TrunkSway& sway);
+// half of that, since eyes stay level; and arms lifted outward and somewhat ahead, but the right one of who
+// holds a cane stays as it is.
+void sway_pose(BodyPose& pose, const TrunkSway& sway, bool has_cane);
 // Leans the trunk ahead by so many radians from the hips up, the head with half of it. Arms hang on.
 void lean_trunk(BodyPose& pose, float angle);
 

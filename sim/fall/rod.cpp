@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/base/tick.h"
 
 namespace flaneur {
 
@@ -40,14 +41,12 @@ void hold(LooseRod& rod, const Surroundings& around, Vec3 grip) {
     rod.grip = {grip.x, std::max(grip.y, ground_below(around, grip)), grip.z};
 }
 
-}  // namespace
-
-void swing_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, float dt) {
+void swing_rod(LooseRod& rod, const Surroundings& around, Vec3 grip) {
     constexpr float k_air = 0.985f;     // of how it moves, a tick: fingers are about it
     constexpr float k_thin_rod = 1.5f;  // of the gravity of a weight at its tip
     hold(rod, around, grip);
     const Vec3 was = rod.tip;
-    Vec3 tip = was + (was - rod.tip_before) * k_air - Vec3{0, k_thin_rod * k_gravity * dt * dt, 0};
+    Vec3 tip = was + (was - rod.tip_before) * k_air - Vec3{0, k_thin_rod * k_gravity * k_tick * k_tick, 0};
     for (int k = 0; k < 3; ++k) {
         tip = rod.grip + normalize_or(tip - rod.grip, {0, -1, 0}) * rod.length;
         keep_above(around, tip, was);
@@ -56,6 +55,7 @@ void swing_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, float dt) {
     rod.tip_before = was;
 }
 
+// By so much of the way to a direction.
 void point_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, Vec3 way, float by) {
     const Vec3 now = normalize_or(rod.tip - rod.grip, way);
     hold(rod, around, grip);
@@ -64,9 +64,23 @@ void point_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, Vec3 way, f
     lay_tip(rod, around, rod.grip + rotate(turn, now) * rod.length);
 }
 
+// Turns what hangs on it, so that `hangs`, unit, from grip to tip as the hand sees it, is where the tip is.
 void turn_rod(LooseRod& rod, Vec3 hangs) {
     const Vec3 from = rotate(rod.turn, hangs), to = normalize_or(rod.tip - rod.grip, from);
     rod.turn = normalize(rotation_between(from, to) * rod.turn);
+}
+
+}  // namespace
+
+void carry_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, Vec3 way, Quat hand, float share) {
+    const float by = share < 1 ? (share - rod.share) / (1 - rod.share) : 1;
+    rod.share = share;
+    if (share > 0)
+        point_rod(rod, around, grip, way, by);
+    else
+        swing_rod(rod, around, grip);
+    turn_rod(rod, rotate(conjugate(hand), way));
+    if (share > 0) rod.turn = nlerp(rod.turn, hand, by);
 }
 
 }  // namespace flaneur

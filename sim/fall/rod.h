@@ -21,13 +21,9 @@ struct LooseRod {
 
 inline constexpr float k_rod_thick = 0.011f;  // metres, half of it
 
-// A tick of one whose grip is where the hand has it by now: its tip swings about it as a thin rod's does, and
-// loses half of its way along the ground in some 60 ms.
-void swing_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, float dt);
-// A tick of one that the hand takes up: the tip is turned by `by` (0..1) of its way to the direction `way`,
-// unit, from the grip, but not into the ground.
-void point_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, Vec3 way, float by);
-// Turns what hangs on it, so that `hangs`, unit, from grip to tip as the hand sees it, is where the tip is.
-void turn_rod(LooseRod& rod, Vec3 hangs);
+// A tick of one whose grip is where the hand, turned so, has it by now: its tip swings about it as a thin
+// rod's does, and loses half of its way along the ground in some 60 ms. Once its owner stands up it comes to
+// the direction `way`, unit, from the grip, by `share` (0..1), but not into the ground.
+void carry_rod(LooseRod& rod, const Surroundings& around, Vec3 grip, Vec3 way, Quat hand, float share);
 
 }  // namespace flaneur

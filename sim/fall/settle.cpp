@@ -152,6 +152,18 @@ void bend_foot(const Setting& s, BodyPose& pose, Side side) {
         std::copysign(part * std::min(deep / (lever * std::max(std::fabs(rises), k_works)), k_most), rises));
 }
 
+// No nearer to the hip than a leg folds: past it the leg would go round all at once.
+void set_ankle(const Setting& s, BodyPose& pose, Side side, Vec3 ankle) {
+    constexpr float k_nearest = 0.23f;  // of the leg
+    const auto thigh = static_cast<size_t>(side == k_left ? left_upper_leg : right_upper_leg);
+    const auto at = places_of(pose, s.person, s.lane);
+    const float nearest =
+        k_nearest * (length(at[thigh + 1] - at[thigh]) + length(at[thigh + 2] - at[thigh + 1]));
+    const Vec3 off = ankle - at[thigh];
+    if (length(off) < nearest) ankle = at[thigh] + normalize_or(off, {0, -1, 0}) * nearest;
+    reach_with_leg(pose, s.person, s.lane, side, ankle);
+}
+
 void lift_leg(const Setting& s, BodyPose& pose, Side side, bool keeps_foot) {
     constexpr float k_hangs_from = 0.3f, k_hangs_to = 0.8f;  // shanks, of the foot below the knee
     constexpr float k_most_bent = 2.6f;                      // radians of a knee
@@ -167,7 +179,7 @@ void lift_leg(const Setting& s, BodyPose& pose, Side side, bool keeps_foot) {
     const float shank = length(places[foot] - places[foot - 1]);
     const float hangs =
         keeps_foot ? 1 : smoothstep(k_hangs_from, k_hangs_to, (places[foot - 1].y - places[foot].y) / shank);
-    if (hangs > 0) reach_with_leg(pose, s.person, s.lane, side, places[foot] + Vec3{0, hangs * deep, 0});
+    if (hangs > 0) set_ankle(s, pose, side, places[foot] + Vec3{0, hangs * deep, 0});
     for (int pass = 0; pass < 3; ++pass) {
         const Balls at = s.balls(pose);
         deep = -s.least(at, first, k_legs);
@@ -192,7 +204,7 @@ void swing_leg(const Setting& s, BodyPose& pose, const BodyPose& before, Side si
     const Vec3 was = places_of(before, s.person, s.lane)[foot];
     const Vec3 goes = places_of(pose, s.person, s.lane)[foot] - was;
     const float far = length(goes);
-    if (far > k_ankle_goes) reach_with_leg(pose, s.person, s.lane, side, was + goes * (k_ankle_goes / far));
+    if (far > k_ankle_goes) set_ankle(s, pose, side, was + goes * (k_ankle_goes / far));
     const Quat turn = pose.rotation[foot] * conjugate(before.rotation[foot]);
     const float cosine = std::min(std::fabs(turn.w), 1.0f), angle = 2 * arccos(cosine);
     if (angle <= k_foot_turns) return;
@@ -209,7 +221,7 @@ void plant(const Setting& s, BodyPose& pose, Side side, float part) {
     const float clear = s.least(s.balls(pose), k_shank_of[side] + 1, 2);
     if (clear <= 0) return;
     const Vec3 ankle = places_of(pose, s.person, s.lane)[foot];
-    reach_with_leg(pose, s.person, s.lane, side, ankle - Vec3{0, part * std::min(clear, k_farthest), 0});
+    set_ankle(s, pose, side, ankle - Vec3{0, part * std::min(clear, k_farthest), 0});
 }
 
 // Along its way on the ground, as far as arms are long; else out of it alone.

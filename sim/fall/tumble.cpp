@@ -184,7 +184,13 @@ HWY_INLINE V3<L> back_into_cone(const Solver& w, size_t s, const At& carrier, co
     L beyond_twist =
         max(abs(twist.sine) * L(cone.half_twist.cosine) - twist.cosine * L(cone.half_twist.sine), L(0.0f));
     L back = select(twist.sine < L(0.0f), L(2.0f), L(-2.0f)) * beyond_twist;
-    return by - along * back;
+    by = by - along * back;
+    if (s != left_thigh && s != right_thigh) return by;
+    // Legs part only so far.
+    constexpr float k_parted = 0.68f;  // sine
+    V3<L> outward = rotate(carrier.rotation, V3<L>{L(is_right ? -1.0f : 1.0f), L(0.0f), L(0.0f)});
+    L parts = max(dot(along, outward) - L(k_parted), L(0.0f));
+    return by + normalize(cross(outward, along)) * (parts * L(1.4f));
 }
 
 constexpr bool is_ball_joint(size_t s) {
@@ -406,7 +412,8 @@ static SegmentRanges find_ranges() {
     constexpr JointLimits k_hinge_up = {{-3, 148}, {-6, 6}, {-80, 80}};
     constexpr JointLimits k_hinge_back = {{-150, 4}, {-6, 6}, {-15, 15}};
     SegmentRanges r;
-    r.of[pelvis] = r.of[belly] = r.of[thorax] = range_of(upright(joint_limits::k_trunk));
+    constexpr JointLimits k_half_a_trunk = {{-15, 38}, {-20, 20}, {-20, 20}};
+    r.of[pelvis] = r.of[belly] = r.of[thorax] = range_of(upright(k_half_a_trunk));
     r.of[skull] = range_of(upright(joint_limits::k_neck));
     r.of[left_forearm] = r.of[right_forearm] = range_of(k_hinge_up);
     r.of[left_shank] = r.of[right_shank] = range_of(k_hinge_back);

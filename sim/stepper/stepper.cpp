@@ -271,8 +271,10 @@ Side behind(const Own& o) {
     return dot(left - right, o.b.ahead) < 0 ? k_left : k_right;
 }
 
-bool fetch(const Own& o) {
-    const Side side = behind(o), other = o.other(side);
+// To the other foot, or nearer to it.
+bool fetch(const Own& o, Side side) {
+    constexpr float k_nearer = 0.05f;  // metres
+    const Side other = o.other(side);
     Seeker who = seeker(o, side);
     who.gathers = true;
     const Vec2 facing = o.facing(), beside_it = Vec2{facing.z, -facing.x} * outward(side);
@@ -280,6 +282,9 @@ bool fetch(const Own& o) {
         on_ground(o.now(other).place) + beside_it * (o.bipeds.is_flat ? 0 : o.p.step_width[o.lane]);
     const auto hold = foothold_near(o.on, who, place, yaw_of(o, side, 0));
     if (!hold) return false;
+    const Vec2 stands = on_ground(o.now(other).place);
+    const float comes = length(on_ground(in_world(*o.on.ground.movers, *hold).place) - stands);
+    if (comes > length(on_ground(o.now(side).place) - stands) - k_nearer) return false;
     set_off(o, side, *hold);
     return true;
 }
@@ -293,7 +298,7 @@ void check_range(const Own& o) {
         const Side side = behind(o);
         approach_phase(o, side, g.duty[lane] - k_just_below, k_lifts_rate);
         if (g.feet[side].phase[lane] < g.duty[lane] - 2 * k_just_below) return;
-        if (fetch(o)) {
+        if (fetch(o, side)) {
             g.standing[lane] = 0;
             g.first[lane] = -1;
             return;
@@ -337,12 +342,12 @@ void check_range(const Own& o) {
     approach_phase(o, o.other(side), lerp(0, duty - 0.5f, b.due), k_phase_rate);
     if (!is_out) return rest();
     if (b.due < 1 || g.feet[side].phase[lane] < duty - 2 * k_just_below || lift_off(o, side)) return;
-    // Who finds no place ahead sets the foot beside the other, and stands.
+    // Who finds no place ahead sets the foot beside the other, or else that one beside it, and stands.
     const float astride = length(on_ground(o.now(k_left).place - o.now(k_right).place));
     if (astride <= k_astride * o.leg) return;
-    const Side last = behind(o);
+    const Side last = b.waits / k_look_again % 2 == 0 ? behind(o) : o.other(behind(o));
     approach_phase(o, last, duty - k_just_below, k_phase_rate + k_lifts_rate);  // against what is above
-    if (g.feet[last].phase[lane] >= duty - 2 * k_just_below && b.waits % k_look_again == 1) fetch(o);
+    if (g.feet[last].phase[lane] >= duty - 2 * k_just_below && b.waits % k_look_again == 1) fetch(o, last);
 }
 
 void step_feet(const Own& o) {
