@@ -145,13 +145,13 @@ void follow_hips(World& w, const Fall& f) {
 void lie_on(World& w, Fall& f) {
     constexpr float k_unfolds = 2.2f, k_after = 0.3f, k_above = 0.03f;  // rad/s, seconds, metres
     constexpr float k_comes_to = 0.15f;                                 // metres
-    constexpr size_t k_shanks[] = {12, 20}, k_knees[] = {11, 19};       // balls
+    constexpr size_t k_heels[] = {13, 21}, k_knees[] = {11, 19};        // balls
     const PersonBlock& person = person_of(w, f.walker);
     const int lane = lane_of(f.walker);
     const float lain = static_cast<float>(w.tick - f.began) * k_tick;
     const auto balls = balls_of(f.from, f.segments, person, lane);
     for (const Side side : {k_left, k_right}) {
-        const size_t heel = k_shanks[side] + 1, knee = k_knees[side];
+        const size_t heel = k_heels[side], knee = k_knees[side];
         // Over what is below it, and over a step that it would come to.
         auto is_in_the_air = [&](size_t ball) {
             const float low = balls[ball].y - f.segments.radius[ball] - k_above;
@@ -164,7 +164,7 @@ void lie_on(World& w, Fall& f) {
                    is_below(balls[ball] - at_height(out * k_comes_to, 0));
         };
         const bool hangs = balls[heel].y > balls[knee].y + k_above;
-        if (hangs && is_in_the_air(heel - 1) && is_in_the_air(heel) && is_in_the_air(heel + 1))
+        if (hangs && is_in_the_air(heel) && is_in_the_air(heel + 1))
             fold_knee(f.from, side, -k_unfolds * smoothstep(0, k_after, lain) * k_tick);
     }
     BodyPose pose = f.from;

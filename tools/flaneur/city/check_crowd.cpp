@@ -128,6 +128,8 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
                 length(on_ground(p) - watch.anchor) > k_still) {
                 watch.anchor = on_ground(p);
                 watch.since = tick;
+            } else if (waits_at_kerb(c.kerbs, i)) {
+                watch.since += k_look_ticks;  // red does not count; it is green once in 90 s
             }
             if (tick - watch.since > k_stuck_ticks) count(watch.stuck, stuck, i, cause(world, i));
             if (length(c.motion.velocity[i]) < k_walking || !under) continue;
