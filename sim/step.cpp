@@ -187,6 +187,7 @@ void step_bodies(World& w) {
 
 // Who comes gets a body, and who is gone has none.
 static void come_and_go(World& w) {
+    if (is_on(w.company) && w.tick % k_decision_ticks == 0) await_others(w.company, w.coming);
     come_and_go(w.coming, w.crowd, w.around, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
     for (const uint32_t walker : w.coming.gone) end_body(w, walker);
     if (is_on(w.company)) join_arrivals(w.company, w.crowd, w.coming, w.folk, w.tick, w.seed);

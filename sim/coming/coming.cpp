@@ -59,6 +59,8 @@ void make_room(Coming& coming, const Crowd& c) {
     coming.sent.entrants.reserve(sent);
     coming.so_far.resize(coming.sendings.size());
     if (!coming.sendings.empty()) coming.sending_of.resize(c.capacity, k_no_sending);
+    constexpr size_t k_most_awaited = 1024;
+    coming.awaited.reserve(std::min<size_t>(c.capacity, k_most_awaited));
     coming.gone.reserve(c.capacity);
     coming.arrivals.reserve(size_t{2} * k_most_tries);
 }
@@ -267,6 +269,20 @@ static bool choose_place(const Coming& coming, const Crowd& c, Entrant& e, const
     return true;
 }
 
+// Comes in where somebody waits for one; false: nobody does.
+static bool come_where_awaited(Coming& coming, Entrant& e) {
+    for (Awaited& a : coming.awaited) {
+        if (a.count == 0) continue;
+        --a.count;
+        e.place = a.place;
+        e.heading = a.heading;
+        e.by_door = a.by_door;
+        e.tries = 1;  // and looks for no other place
+        return true;
+    }
+    return false;
+}
+
 // Those of a line whose turn it is, as long as there are fewer than `most` people.
 static void let_in_those_due(Coming& coming, WaitingLine& line, size_t most, Crowd& c,
                              const Surroundings& around, const Navmesh& mesh, std::span<const Folk> folk,
@@ -278,6 +294,7 @@ static void let_in_those_due(Coming& coming, WaitingLine& line, size_t most, Cro
     for (size_t at = first; at < last; ++at) {
         Entrant e = queue[at];
         bool is_in = false;
+        if (!is_sent(e) && !e.place.polygon) (void)come_where_awaited(coming, e);
         const bool has_to_choose = !is_sent(e) && (!e.place.polygon || e.tries % k_tries_a_place == 0);
         if (!has_to_choose || choose_place(coming, c, e, mesh, tick, seed))
             is_in = c.slots.living.size() < most && e.place.polygon &&

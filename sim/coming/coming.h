@@ -38,6 +38,14 @@ struct WaitingLine {
     uint32_t next = 0;  // who is the next to try
 };
 
+// A place where somebody who has come in waits for others.
+struct Awaited {
+    NavPoint place{};
+    float heading = 0;
+    uint32_t by_door = 0;  // as of Entrant
+    uint32_t count = 0;    // how many are still to be called there
+};
+
 // How far the people of a sending are.
 struct SentSoFar {
     uint32_t came = 0, arrived = 0;
@@ -55,6 +63,8 @@ struct Coming {
     std::vector<SentSoFar> so_far;     // by sending
     std::vector<uint32_t> sending_of;  // by slot: of the last who came in there, if there are sendings
 
+    std::vector<Awaited>
+        awaited;  // who comes in instead of others does so there first; set anew before each use
     std::vector<uint32_t> gone, arrivals;  // slots left and taken in this tick; an arrival may take one gone
 };
 

@@ -113,10 +113,12 @@ void make_room(Company& company, Crowd& crowd, uint32_t capacity);
 // Nobody goes with anybody from now on.
 void end_company(Company& company, Crowd& crowd);
 
+// Before people come in: tells where those wait who have come in before the others of their group.
+void await_others(const Company& company, Coming& coming);
 // Of who has just come in, before its gait begins: goes with who expects others, or may expect some itself,
 // who come in after it.
-void join_arrivals(Company& company, Crowd& crowd, Coming& coming, std::span<const Folk> folk, uint32_t tick,
-                   uint64_t seed);
+void join_arrivals(Company& company, Crowd& crowd, const Coming& coming, std::span<const Folk> folk,
+                   uint32_t tick, uint64_t seed);
 
 // After everybody has moved: where all should be in the next tick, what groups do and who speaks.
 void guide(Company& company, Crowd& crowd, const Navmesh& mesh, Workers& workers, std::span<const Folk> folk,

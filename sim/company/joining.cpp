@@ -75,33 +75,25 @@ void begin(Company& company, Crowd& c, std::span<const Folk> folk, uint32_t i, u
     g.by_door = by_door ? 1 : 0;
 }
 
-// Those who are due come in where they are expected.
-void call_expected(const Company& company, Coming& coming) {
-    auto comes_to = [](const Entrant& e, const Group& g) {
-        return e.place.polygon != 0 && e.place.position == g.entry.position;
-    };
-    std::vector<Entrant>& due = coming.successors.entrants;
+}  // namespace
+
+void await_others(const Company& company, Coming& coming) {
+    coming.awaited.clear();
     for (const Group& g : company.groups) {
-        if (g.count == 0 || g.expects == 0) continue;
+        if (g.count == 0 || g.expects == 0 || coming.awaited.size() == coming.awaited.capacity()) continue;
         uint32_t called = 0;
-        for (Entrant& e : due)
-            if (comes_to(e, g)) e.tries = 1, ++called;  // and looks for no other place
-        for (Entrant& e : due) {
-            if (called >= g.expects) break;
-            if (e.place.polygon != 0) continue;
-            e.place = g.entry;
-            e.heading = g.entry_heading;
-            e.by_door = g.by_door;
+        for (Entrant& e : coming.successors.entrants) {
+            if (e.place.polygon == 0 || e.place.position != g.entry.position) continue;
             e.tries = 1;
             ++called;
         }
+        if (called < g.expects)
+            coming.awaited.push_back({g.entry, g.entry_heading, g.by_door, g.expects - called});
     }
 }
 
-}  // namespace
-
-void join_arrivals(Company& company, Crowd& c, Coming& coming, std::span<const Folk> folk, uint32_t tick,
-                   uint64_t seed) {
+void join_arrivals(Company& company, Crowd& c, const Coming& coming, std::span<const Folk> folk,
+                   uint32_t tick, uint64_t seed) {
     for (const uint32_t i : coming.arrivals) {
         if (c.journeys[i].errand != Errand::wander) continue;
         if (Group* g = expecting(company, c, i))
@@ -109,7 +101,6 @@ void join_arrivals(Company& company, Crowd& c, Coming& coming, std::span<const F
         else
             begin(company, c, folk, i, tick, seed);
     }
-    if (tick % k_decision_ticks == 0) call_expected(company, coming);
 }
 
 }  // namespace flaneur

@@ -40,7 +40,8 @@ struct Haste {
 constexpr Haste k_stiff = {16, 16, 8, 26}, k_guarded = {12, 14, 22, 9}, k_loose = {5, 6, 3, 3};
 constexpr float k_stays = 0.05f, k_guards = 0.22f;  // seconds until one has felt it, and until arms go out
 constexpr float k_slackens = 0.8f;                  // seconds
-// Legs and trunk give way as the body leans so far, radians, or after so long, seconds.
+// Legs and trunk give way as the body leans so far, radians, half that of who falls back and sits down, or
+// after so long, seconds.
 constexpr float k_topples = 0.4f, k_toppled = 0.95f, k_stood = 1, k_stood_out = 1.5f;
 
 // The step that would have saved it: the leg that is farther from where it goes swings there, degrees.
@@ -163,7 +164,7 @@ void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
     const Guard left = guard(way.x > 0), right = guard(way.x < 0);
     const float neck_aside = (way.x > 0 ? 1.0f : -1.0f) * left.neck_aside;
     const float feels = smoothstep(k_stays, k_guards, seconds), slack = smoothstep(0, k_slackens, lain);
-    const float gives = std::max({feels * smoothstep(k_topples, k_toppled, lean_of(block, lane)),
+    const float gives = std::max({feels * smoothstep(k_topples, k_toppled, (1 + back) * lean_of(block, lane)),
                                   smoothstep(k_stood, k_stood_out, seconds), slack});
     const SavingStep step = saving_step(stood, way);
     const std::array<Quat, k_segment_count> are = turns_of(block, lane);
