@@ -90,11 +90,15 @@ Vec2 round_vehicles(const Roadway& r, Vec3 here, Vec2 wanted, float radius) {
     Vec2 best = wanted;
     float least = 1e9f;
     const Vec2 aim = place + way * (nearest + 2 * in_way->half_width + 1);
-    const bool is_beside = std::fabs(at.left) > in_way->half_width + radius * 0.5f;
+    const bool is_beside = std::fabs(at.left) > in_way->half_width + radius * 0.5f,
+               is_beyond = std::fabs(at.ahead) > in_way->half_length + radius * 0.5f;
     for (const float z : {l, -l})
         for (const float x : {w, -w}) {
-            // Beside it one goes along its side, before it along its end.
-            if (!(is_beside ? x * at.left > 0 : z * at.ahead > 0)) continue;
+            // Beside it one goes along its side, before it along its end, and off a corner on to one of the
+            // next: many cannot all go to the place of a corner.
+            const bool on_its_side = x * at.left > 0, on_its_end = z * at.ahead > 0;
+            if (is_beside && is_beyond ? on_its_side == on_its_end : is_beside ? !on_its_side : !on_its_end)
+                continue;
             const Vec2 corner = in_way->middle + ahead * z + left * x, to = corner - place;
             const float blocked =
                 is_in_way(r, place, normalize_or(to, way), length(to), radius) ? k_blocked : 0;
