@@ -57,6 +57,12 @@ bool stays(const World& w, uint32_t i) {
            own_of(w.crowd.called, leader);
 }
 
+// Whether one waits for a lamp, or with others for theirs.
+bool waits_for_green(const World& w, uint32_t i) {
+    const Group* group = group_of(w.company, w.crowd, i);
+    return waits_at_kerb(w.crowd.kerbs, group ? group->members[group->leader].index : i);
+}
+
 // Why one does not get on.
 std::string cause(const World& w, uint32_t i) {
     const Crowd& c = w.crowd;
@@ -128,7 +134,7 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
                 length(on_ground(p) - watch.anchor) > k_still) {
                 watch.anchor = on_ground(p);
                 watch.since = tick;
-            } else if (waits_at_kerb(c.kerbs, i)) {
+            } else if (waits_for_green(world, i)) {
                 watch.since += k_look_ticks;  // red does not count; it is green once in 90 s
             }
             if (tick - watch.since > k_stuck_ticks) count(watch.stuck, stuck, i, cause(world, i));
