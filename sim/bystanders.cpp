@@ -205,7 +205,7 @@ void notice_creatures(World& w) {
 // Where one looks at another.
 Vec3 place_to_look_at(const World& w, uint32_t whom) {
     if (is_creature(w.herd, whom)) return w.herd.creatures[whom - w.herd.goes_as.front()].middle;
-    return places_of(body_pose_of(w.poses, whom), person_of(w, whom), lane_of(whom))[head];
+    return place_of(body_pose_of(w.poses, whom), person_of(w, whom), lane_of(whom), head);
 }
 
 // It lets go, and stands a moment; so does who was helped.

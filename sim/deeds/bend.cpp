@@ -97,8 +97,8 @@ void look_at(BodyPose& pose, Someone who, Vec3 place, float share) {
     constexpr float k_eyes = 0.045f;  // of the height, above the head's joint
     constexpr float k_most_yaw = 65 * k_radians, k_most_down = 58 * k_radians, k_most_up = 40 * k_radians;
     constexpr float k_of_neck = 0.42f;
-    const auto places = places_of(pose, who.person, who.lane);
-    const Vec3 eyes = places[head] + Vec3{0, k_eyes * who.person.height[who.lane], 0};
+    const Vec3 eyes =
+        place_of(pose, who.person, who.lane, head) + Vec3{0, k_eyes * who.person.height[who.lane], 0};
     const Vec3 way = rotate(conjugate(pose.rotation[upper_chest]), place - eyes);
     const float flat = std::sqrt(way.x * way.x + way.z * way.z);
     const float yaw = clamp(arctan2(way.x, std::max(way.z, 0.05f)), -k_most_yaw, k_most_yaw),
@@ -118,9 +118,8 @@ JointPose wrist_of(const Palm& palm, Someone who, Side side) {
     return {at, bone_rotation(palm.fingers, z)};
 }
 
-Palm palm_of(const BodyPose& pose, Someone who, Side side) {
+static Palm palm_at(const BodyPose& pose, Someone who, Side side, Vec3 wrist) {
     const size_t hand = side == k_left ? left_hand : right_hand;
-    const Vec3 wrist = places_of(pose, who.person, who.lane)[hand];
     const float scale = who.person.height[who.lane] / k_grown;
     Palm palm;
     palm.faces = rotate(pose.rotation[hand], {side == k_left ? -1.0f : 1.0f, 0, 0});
@@ -129,22 +128,27 @@ Palm palm_of(const BodyPose& pose, Someone who, Side side) {
     return palm;
 }
 
+Palm palm_of(const BodyPose& pose, Someone who, Side side) {
+    const int hand = side == k_left ? left_hand : right_hand;
+    return palm_at(pose, who, side, place_of(pose, who.person, who.lane, hand));
+}
+
 float beyond_reach(const BodyPose& pose, Someone who, Side side, Vec3 wrist, float part) {
     const int first = shoulder_of(side);
-    const Vec3 shoulder = places_of(pose, who.person, who.lane)[static_cast<size_t>(first)];
+    const Vec3 shoulder = place_of(pose, who.person, who.lane, first);
     return length(wrist - shoulder) - part * (bone_of(who, first + 1) + bone_of(who, first + 2));
 }
 
-void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wrist, Vec3 elbow_to,
-                    float share) {
-    if (share <= 0) return;
+// From where its shoulder is.
+static void reach_from(Vec3 shoulder, BodyPose& pose, Someone who, Side side, const JointPose& wrist,
+                       Vec3 elbow_to, float share) {
     const int joint = shoulder_of(side);
     const auto first = static_cast<size_t>(joint);
     const float outward = side == k_left ? 1.0f : -1.0f;
     Quat was_ps[3], above = pose.rotation[first - 1];
     for (size_t j = 0; j < 3; ++j)
         was_ps[j] = conjugate(above) * pose.rotation[first + j], above = pose.rotation[first + j];
-    const Vec3 shoulder = places_of(pose, who.person, who.lane)[first], to = wrist.position - shoulder;
+    const Vec3 to = wrist.position - shoulder;
     const float a = bone_of(who, joint + 1), b = bone_of(who, joint + 2);
     const float reach = clamp(length(to), std::fabs(a - b) + 0.04f, k_straightest * (a + b));
     const Vec3 way = normalize_or(to, {0, -1, 0});
@@ -179,19 +183,34 @@ void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wri
     }
 }
 
+void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wrist, Vec3 elbow_to,
+                    float share) {
+    if (share <= 0) return;
+    reach_from(place_of(pose, who.person, who.lane, shoulder_of(side)), pose, who, side, wrist, elbow_to,
+               share);
+}
+
 void reach_for(BodyPose& pose, Someone who, Side side, const Palm& palm, Vec3 elbow, float share) {
     JointPose wrist = wrist_of(palm, who, side);
-    const BodyPose stands = pose;
+    const int joint = shoulder_of(side);
+    const auto first = static_cast<size_t>(joint);
+    const Vec3 shoulder = place_of(pose, who.person, who.lane, joint);
+    const Vec3 upper = own_place(who, joint + 1) - own_place(who, joint),
+               lower = own_place(who, joint + 2) - own_place(who, joint + 1);
+    const Quat stands[3] = {pose.rotation[first], pose.rotation[first + 1], pose.rotation[first + 2]};
+    auto stand = [&] { std::copy(stands, stands + 3, &pose.rotation[first]); };
     for (int n = 0; n < 4; ++n) {
-        pose = stands;
-        reach_with_arm(pose, who, side, wrist, elbow, 1);
-        const Vec3 off = palm.place - palm_of(pose, who, side).place;
+        stand();
+        reach_from(shoulder, pose, who, side, wrist, elbow, 1);
+        const Vec3 hand =
+            shoulder + rotate(pose.rotation[first], upper) + rotate(pose.rotation[first + 1], lower);
+        const Vec3 off = palm.place - palm_at(pose, who, side, hand).place;
         if (length(off) < 0.0005f) break;
         wrist.position += off;
     }
     if (share >= 1) return;
-    pose = stands;
-    reach_with_arm(pose, who, side, wrist, elbow, share);
+    stand();
+    reach_from(shoulder, pose, who, side, wrist, elbow, share);
 }
 
 void lean_to(BodyPose& pose, Someone who, Side side, Vec3 wrist, float share, float most) {

@@ -77,6 +77,13 @@ std::array<Vec3, k_joint_count> places_of(const BodyPose& pose, const PersonBloc
     return places;
 }
 
+Vec3 place_of(const BodyPose& pose, const PersonBlock& person, int lane, int joint) {
+    if (joint == hips) return pose.hips;
+    const int parent = k_joint_parents[joint];
+    const Vec3 bone = joint_at(person, lane, joint) - joint_at(person, lane, parent);
+    return place_of(pose, person, lane, parent) + rotate(pose.rotation[parent], bone);
+}
+
 void set_body_pose(std::vector<PoseBlock>& poses, const PersonBlock& person, size_t walker,
                    const BodyPose& to) {
     Posed pose{poses[walker / k_block], walker % k_block};

@@ -24,6 +24,9 @@ void set_body_pose(std::vector<PoseBlock>& poses, const PersonBlock& person, siz
 // Where all joints are.
 std::array<Vec3, k_joint_count> places_of(const BodyPose& pose, const PersonBlock& person, int lane);
 
+// Where one of them is: the same, for less.
+Vec3 place_of(const BodyPose& pose, const PersonBlock& person, int lane, int joint);
+
 // `t` of the way, 0..1, by the shorter turns of each joint against its parent.
 BodyPose mixed(const BodyPose& from, const BodyPose& to, float t);
 

@@ -64,8 +64,8 @@ struct PlainArm {
 };
 PlainArm plain_arm(const BodyPose& pose, const PersonBlock& person, int lane, Side side, Vec3 palm) {
     const int upper = upper_arm_of(side);
-    const auto places = places_of(pose, person, lane);
-    const Vec3 shoulder = places[upper], elbow = places[upper + 1];
+    const Vec3 shoulder = place_of(pose, person, lane, upper),
+               elbow = place_of(pose, person, lane, upper + 1);
     const Vec3 along = normalize_or(palm - shoulder, {0, -1, 0});
     // Carried over the sphere from a middle one, from which arms are never opposite.
     const float out = side == k_left ? 1.0f : -1.0f;
@@ -73,7 +73,7 @@ PlainArm plain_arm(const BodyPose& pose, const PersonBlock& person, int lane, Si
     const Quat chest = pose.rotation[upper_chest];
     const Quat carried = chest * rotation_between(middle, rotate(conjugate(chest), along));
     const Vec3 pole = rotate(carried, Vec3{out, 0, -0.5f});
-    const Vec3 end = palm_from(pose, person, lane, upper + 2, places[upper + 2]);
+    const Vec3 end = palm_of(pose, person, lane, side);
     return {shoulder, along, normalize_or(pole - along * dot(pole, along), {0, 1, 0}),
             length(elbow - shoulder), length(end - elbow)};
 }
@@ -118,7 +118,7 @@ ArmWay arm_way(const BodyPose& pose, const PersonBlock& person, int lane, Side s
     ArmWay way;
     way.palm = palm_of(pose, person, lane, side);
     const PlainArm arm = plain_arm(pose, person, lane, side, way.palm);
-    const Vec3 elbow = places_of(pose, person, lane)[upper + 1] - arm.shoulder;
+    const Vec3 elbow = place_of(pose, person, lane, upper + 1) - arm.shoulder;
     const Vec3 out = elbow - arm.along * dot(elbow, arm.along);
     way.turn = arctan2(dot(cross(arm.pole, out), arm.along), dot(arm.pole, out));
     const ArmTurns turns = turned_arm(arm, way.turn, way.palm);
@@ -152,8 +152,8 @@ void keep_elbow(BodyPose& pose, const BodyPose& before, const PersonBlock& perso
 
 ArmPlaces arm_places(const BodyPose& pose, const PersonBlock& person, int lane, Side side) {
     const int upper = upper_arm_of(side);
-    const auto places = places_of(pose, person, lane);
-    return {places[upper], places[upper + 1], palm_from(pose, person, lane, upper + 2, places[upper + 2])};
+    return {place_of(pose, person, lane, upper), place_of(pose, person, lane, upper + 1),
+            palm_of(pose, person, lane, side)};
 }
 
 void place_arm(BodyPose& pose, const PersonBlock& person, int lane, Side side, Vec3 palm, Vec3 elbow) {
@@ -178,7 +178,7 @@ void blend_arm(BodyPose& pose, const BodyPose& to, Side side, float part) {
 
 Vec3 palm_of(const BodyPose& pose, const PersonBlock& person, int lane, Side side) {
     const int hand = upper_arm_of(side) + 2;
-    return palm_from(pose, person, lane, hand, places_of(pose, person, lane)[hand]);
+    return palm_from(pose, person, lane, hand, place_of(pose, person, lane, hand));
 }
 
 float reach_of_arm(const PersonBlock& person, int lane) {
@@ -204,7 +204,7 @@ void turn_foot(BodyPose& pose, Side side, float angle) {
 HeadTurn turn_to_look(const BodyPose& pose, const PersonBlock& person, int lane, Vec3 place) {
     constexpr float k_aside = 1.2f, k_up = 0.5f, k_down = 0.85f, k_behind = 2.2f;
     const Vec3 way =
-        rotate(conjugate(pose.rotation[upper_chest]), place - places_of(pose, person, lane)[head]);
+        rotate(conjugate(pose.rotation[upper_chest]), place - place_of(pose, person, lane, head));
     const float yaw = arctan2(way.x, way.z), flat = std::sqrt(way.x * way.x + way.z * way.z);
     // What is behind one does not look at.
     if (std::fabs(yaw) > k_behind) return {};

@@ -24,10 +24,11 @@ struct ChestFrame {
     Vec3 way(float x, float y, float z) const { return left * x + k_up * y + ahead * z; }
 };
 ChestFrame chest_of(const BodyPose& pose, Someone who) {
-    const auto places = places_of(pose, who.person, who.lane);
-    const Vec3 across = places[left_upper_arm] - places[right_upper_arm];
+    const Vec3 of_left = place_of(pose, who.person, who.lane, left_upper_arm),
+               of_right = place_of(pose, who.person, who.lane, right_upper_arm);
+    const Vec3 across = of_left - of_right;
     const Vec3 left = normalize_or({across.x, 0, across.z}, {1, 0, 0});
-    return {lerp(places[left_upper_arm], places[right_upper_arm], 0.5f), left, cross(left, k_up)};
+    return {lerp(of_left, of_right, 0.5f), left, cross(left, k_up)};
 }
 
 // At right angles to `faces`, as near to `fingers` as that allows.
@@ -99,7 +100,7 @@ Vec3 ear_of(const BodyPose& pose, Someone who, Side side) {
     const float h = height_of(who), out = side == k_left ? 1.0f : -1.0f;
     const Vec3 ear{out * 0.046f * h, 0.924f * h, own_place(who, head).z + 0.004f * h};
     const Vec3 joint = own_place(who, head);
-    return places_of(pose, who.person, who.lane)[head] +
+    return place_of(pose, who.person, who.lane, head) +
            rotate(pose.rotation[head], {ear.x, ear.y - joint.y, ear.z - joint.z});
 }
 

@@ -189,7 +189,7 @@ Vec3 knee_of(const BodyPose& pose, Someone who, Side side) {
 
 void set_leg(BodyPose& pose, Someone who, Side side, const FootAt& foot, Vec3 pole) {
     const size_t j = thigh_of(side);
-    const Vec3 hip = places_of(pose, who.person, who.lane)[j], to = foot.ankle - hip;
+    const Vec3 hip = place_of(pose, who.person, who.lane, static_cast<int>(j)), to = foot.ankle - hip;
     const float a = length(own_place(who, static_cast<int>(j) + 1) - own_place(who, static_cast<int>(j))),
                 b = length(own_place(who, static_cast<int>(j) + 2) - own_place(who, static_cast<int>(j) + 1));
     const float reach = clamp(length(to), std::fabs(a - b) + 0.02f, 0.9995f * (a + b));

@@ -135,7 +135,8 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
                 watch.anchor = on_ground(p);
                 watch.since = tick;
             } else if (waits_for_green(world, i)) {
-                watch.since += k_look_ticks;  // red does not count; it is green once in 90 s
+                // Red does not count; it is green once in 90 s.
+                watch.since = std::min(watch.since + k_look_ticks, tick);
             }
             if (tick - watch.since > k_stuck_ticks) count(watch.stuck, stuck, i, cause(world, i));
             if (length(c.motion.velocity[i]) < k_walking || !under) continue;
