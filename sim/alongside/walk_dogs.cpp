@@ -200,26 +200,26 @@ DogWish wish_of(const World& w, const Dog& dog) {
 }
 
 // Turns and speeds up as four legs can: along itself, hardly aside, and not far back.
-void steer_dog(Dog& dog, const DogWish& wish) {
+void steer_dog(Dog& dog, const DogWish& wish, float dt) {
     const float wanted = length(wish.velocity);
     const float to = wanted > 0.12f ? heading_of(wish.velocity / wanted) : wish.facing;
     const float off = wrap_angle(to - dog.heading);
     // On the spot no faster than feet follow.
     const float most_turn = lerp(k_turns_standing, k_turns, smoothstep(0.1f, 0.5f, length(dog.velocity)));
     const float rate = clamp(3.5f * off, -most_turn, most_turn);
-    dog.turn_rate += clamp(rate - dog.turn_rate, -14 * k_tick, 14 * k_tick);
-    dog.heading = wrap_angle(dog.heading + dog.turn_rate * k_tick);
+    dog.turn_rate += clamp(rate - dog.turn_rate, -14 * dt, 14 * dt);
+    dog.heading = wrap_angle(dog.heading + dog.turn_rate * dt);
     const Vec2 way = heading_direction(dog.heading), left = left_of(way);
     float on = dot(wish.velocity, way), aside = clamp(dot(wish.velocity, left), -0.22f, 0.22f);
     // Who must turn far slows down for it.
     on = std::max(on, -0.15f) * smoothstep(-0.5f, 0.6f, sin_cos(off).cosine + 0.15f);
     const Vec2 goal = way * on + left * aside, by = goal - dog.velocity;
-    const float most = k_speeds_up * k_tick, far = length(by);
+    const float most = k_speeds_up * dt, far = length(by);
     dog.velocity += far > most ? by * (most / far) : by;
     if (wanted == 0 && length(dog.velocity) < 0.03f) dog.velocity = {};
 }
 
-void mind_senses(const World& w, Dog& dog) {
+void mind_senses(const World& w, Dog& dog, float dt) {
     const bool sniffs = does_of(dog) == DogDoes::sniffs && length(dog.velocity) < 0.3f;
     // On the way it has its nose down now and then.
     const RandomKey key = key_of(w, dog, w.tick / 150);
@@ -227,7 +227,7 @@ void mind_senses(const World& w, Dog& dog) {
     const float down = sniffs  ? 0.92f + 0.08f * sin_cos(0.35f * static_cast<float>(w.tick % 18)).sine
                        : noses ? 0.62f
                                : 0;
-    dog.nose += clamp(down - dog.nose, -1.6f * k_tick, 1.6f * k_tick);
+    dog.nose += clamp(down - dog.nose, -1.6f * dt, 1.6f * dt);
     float gaze = 0, pitch = 0;
     if (does_of(dog) == DogDoes::waits || does_of(dog) == DogDoes::sits) {
         // By turns up to its owner and about.
@@ -241,16 +241,17 @@ void mind_senses(const World& w, Dog& dog) {
     } else if (!sniffs) {
         gaze = random_between(key, -0.35f, 0.35f, 8);
     }
-    dog.gaze += (gaze - dog.gaze) * std::min(3.5f * k_tick, 1.0f);
-    dog.gaze_pitch += (pitch - dog.gaze_pitch) * std::min(3.5f * k_tick, 1.0f);
+    dog.gaze += (gaze - dog.gaze) * std::min(3.5f * dt, 1.0f);
+    dog.gaze_pitch += (pitch - dog.gaze_pitch) * std::min(3.5f * dt, 1.0f);
     const float wags = random_unit(key, 9) < 0.45f ? 1 : 0.15f;
-    dog.wags += (wags - dog.wags) * std::min(2 * k_tick, 1.0f);
-    dog.wag += (1.1f + 1.7f * dog.wags) * k_tick;
+    dog.wags += (wags - dog.wags) * std::min(2 * dt, 1.0f);
+    dog.wag += (1.1f + 1.7f * dog.wags) * dt;
     dog.wag -= std::floor(dog.wag);
 }
 
-void walk_dog(const World& w, Dog& dog, int thread) {
+void walk_dog(const World& w, Dog& dog, uint32_t ticks, int thread) {
     const uint32_t i = dog.walker;
+    const float dt = static_cast<float>(ticks) * k_tick;
     constexpr float k_lost = 4;  // metres: it was left behind where no way leads
     if (length(w.crowd.motion.position[i] - dog.position) > k_lost) {
         const float heading = dog.heading;
@@ -261,12 +262,12 @@ void walk_dog(const World& w, Dog& dog, int thread) {
     }
     const DogWish wish = wish_of(w, dog);
     const Vec2 from = on_ground(dog.position);
-    steer_dog(dog, wish);
-    Vec2 to = from + dog.velocity * k_tick;
+    steer_dog(dog, wish, dt);
+    Vec2 to = from + dog.velocity * dt;
     // Whoever comes into its way, it gets out of there as fast as it runs; one that falls behind its owner
     // squeezes through.
     const Vec2 out = out_of_bodies(w, dog, to) - to;
-    const float pushed = length(out), most = k_quickest * k_tick;
+    const float pushed = length(out), most = k_quickest * dt;
     const float yields =
         1 - 0.8f * smoothstep(1.4f, k_lead, length(to - on_ground(w.crowd.motion.position[i])));
     to += out * (yields * std::min(1.0f, most / std::max(pushed, 1e-4f)));
@@ -286,13 +287,16 @@ void walk_dog(const World& w, Dog& dog, int thread) {
     dog.polygon = end.polygon;
     dog.position = end.position;
     if (const auto hit = ground_at(w.around, end.position, 0.5f, 1)) dog.position.y = hit->height;
-    const Vec2 went = (on_ground(dog.position) - from) / k_tick;
+    const Vec2 went = (on_ground(dog.position) - from) / dt;
     // What pushes it aside is not what it wants; its feet mind where it goes.
     const Vec2 by = went - dog.velocity;
     const float off = length(by);
-    if (off > 1e-4f) dog.velocity += by * std::min(1.0f, 6 * k_tick / off);
-    step_dog(dog, wish, w.around, k_tick);
-    mind_senses(w, dog);
+    if (off > 1e-4f) dog.velocity += by * std::min(1.0f, 6 * dt / off);
+    constexpr uint32_t k_at_once = 3;  // ticks that a stride can be told in
+    const uint32_t steps = (ticks + k_at_once - 1) / k_at_once;
+    for (uint32_t n = 0; n < steps; ++n)
+        step_dog(dog, wish, w.around, steps == 1 ? dt : dt / static_cast<float>(steps));
+    mind_senses(w, dog, dt);
 }
 
 }  // namespace
@@ -338,7 +342,10 @@ void find_dogs_anew(World& w) {
 void walk_dogs(World& w) {
     Alongside& a = *w.alongside;
     parallel_for(*w.workers, a.dogs.size(), 4, [&](size_t begin, size_t end, int thread) {
-        for (size_t k = begin; k < end; ++k) walk_dog(w, a.dogs[k], thread);
+        // Along with who has it.
+        for (size_t k = begin; k < end; ++k)
+            if (const uint32_t ticks = ticks_due(w.crowd, a.dogs[k].walker / k_block, w.tick))
+                walk_dog(w, a.dogs[k], ticks, thread);
     });
     for (const Dog& dog : a.dogs) {
         GoesBeside* own = own_of(w.crowd.beside, dog.walker);

@@ -137,6 +137,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.onlookers = std::move(c.onlookers);
     keep(wider.at_once, c.at_once);
     wider.wayfarers = std::move(c.wayfarers);
+    wider.leads = c.leads;
     wider.passages.insert(wider.passages.end(), c.passages.begin(), c.passages.end());
     c = std::move(wider);
 }

@@ -180,7 +180,7 @@ void drive(Crowd& c, uint32_t i) {
 bool is_down(const Crowd& c, uint32_t i) { return !c.downed.empty() && own_of(c.downed, i) != nullptr; }
 
 bool is_led(const Crowd& c, uint32_t i) {
-    if (c.journeys[i].errand != Errand::by_way) return false;
+    if (!c.leads || c.journeys[i].errand != Errand::by_way) return false;
     const Wayfarer* way = own_of(c.wayfarers, i);
     return way && way->kind == Wayfarer::Kind::is_led;
 }
@@ -244,6 +244,7 @@ void let_go(Crowd& c) {
 void go_by_way(Crowd& c, const Wayfarer& way) {
     const uint32_t i = way.walker;
     turn_back(c, i);
+    c.leads = c.leads || way.kind == Wayfarer::Kind::is_led;
     c.wayfarers.insert(take_away(c.wayfarers, i), way)->bearing = c.motion.heading[i];
     if (is_on(c.march)) c.march.turns[i] = {};
     Journey next;

@@ -285,6 +285,7 @@ struct Crowd {
     std::vector<NavPoint> way_back;
     std::vector<Passage> passages;    // of those who come in or leave just now, by walker
     std::vector<Wayfarer> wayfarers;  // of those who have one, by walker
+    bool leads = false;               // whether any was ever moved by somebody else: else none is asked
     std::vector<Downed> downed;       // by walker
     std::vector<Called> called;       // by walker
     Fellows fellows;                  // by walker; empty: nobody goes with others
