@@ -85,7 +85,8 @@ uint64_t hash_falls(const World& world);
 // for; returns how many.
 size_t those_near(const World& world, Vec3 place, float reach, std::span<uint32_t> found);
 
-// From lying to standing. How long it lies before getting up, how slowly it does that, and which way;
+// From lying to standing (sim/fall/get_up.cpp). How long it lies before getting up, how slowly it does that,
+// and which way;
 void lie_down(World& world, Fall& fall);
 // where it lies is where others find it;
 void follow_hips(World& world, const Fall& fall);
