@@ -73,18 +73,11 @@ void begin_fall(World& w, Fall& f) {
     go_down(w.crowd, f.walker);
 }
 
-BodyInTheWay in_the_way(const World& w, const Fall& f) {
-    return {balls_of(body_pose_of(w.previous_poses, f.walker), f.segments, person_of(w, f.walker),
-                     lane_of(f.walker)),
-            f.segments.radius};
+BodyInTheWay in_the_way(const World& w, uint32_t walker, const Segments& segments) {
+    const BodyPose pose = body_pose_of(w.previous_poses, walker);
+    return {balls_of(pose, segments, person_of(w, walker), lane_of(walker)), segments.radius};
 }
-
-BodyInTheWay standing_in_the_way(const World& w, uint32_t walker) {
-    const PersonBlock& person = person_of(w, walker);
-    const int lane = lane_of(walker);
-    const Segments segments = segments_of(person, lane);
-    return {balls_of(body_pose_of(w.previous_poses, walker), segments, person, lane), segments.radius};
-}
+BodyInTheWay in_the_way(const World& w, const Fall& f) { return in_the_way(w, f.walker, f.segments); }
 
 // Calls act(walker, its fall or null) for everybody else who is so near that bodies may touch; who sways
 // still stands.
@@ -136,8 +129,9 @@ void prepare_fall(World& w, const Fall& f) {
     const bool meets_standing = w.tick - f.began < ticks_of(k_meets_standing);
     for_those_near(w, f, [&](uint32_t i, const Fall* other) {
         if (other || meets_standing)
-            meet_body(falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin,
-                      other ? in_the_way(w, *other) : standing_in_the_way(w, i));
+            meet_body(
+                falls.planes[b], own, falls.blocks[b], falls.shapes[b], f.origin,
+                other ? in_the_way(w, *other) : in_the_way(w, i, segments_of(person_of(w, i), lane_of(i))));
     });
 }
 
@@ -179,7 +173,7 @@ void change_phase(World& w, Fall& f) {
 // Where a hand holds a cane.
 Vec3 palm_at(const World& w, uint32_t walker, const JointPose& hand) {
     constexpr Vec3 k_palm{-0.006f, -0.049f, 0.014f};  // of the height, from the wrist
-    const float height = w.gait.people[walker / k_block].height[walker % k_block];
+    const float height = person_of(w, walker).height[walker % k_block];
     return hand.position + rotate(hand.rotation, k_palm * height);
 }
 
@@ -258,8 +252,7 @@ void step_fall(World& w, Fall& f) {
 
 Downed lying(const World& w, const Fall& f) {
     constexpr std::array<int, k_lying_parts> k_balls = {6, 3, 4, 7, 15, 9, 17, 11, 19, 12, 20, 14, 22};
-    const auto balls = balls_of(body_pose_of(w.previous_poses, f.walker), f.segments, person_of(w, f.walker),
-                                lane_of(f.walker));
+    const auto balls = in_the_way(w, f).balls;
     const Vec2 at = on_ground(w.crowd.motion.position[f.walker]);
     Downed down{.walker = f.walker};
     for (size_t k = 0; k < k_lying_parts; ++k) {

@@ -25,8 +25,7 @@ Sturdiness sturdiness_of(const World& w, uint32_t walker) {
     const float age = w.kinds[who.body[walker]].age;
     const RandomKey key{w.seed, walker, w.crowd.slots.generation[walker], Purpose::fall};
     const float own = random_between(key, 0.9f, 1.1f);
-    return {w.gait.people[walker / k_block].joints[left_upper_leg][1][walker % k_block],
-            w.crowd.motion.heading[walker],
+    return {person_of(w, walker).joints[left_upper_leg][1][walker % k_block], w.crowd.motion.heading[walker],
             own * (1 - 0.4f * smoothstep(60, 85, age)) * (1 - 0.4f * drunk_of(w, walker))};
 }
 
@@ -119,11 +118,11 @@ void push_on(World& w, uint32_t walker, Vec2 change, int others) {
     const Touched touched = touched_by(w, walker, way);
     float whole = 0;
     for (size_t k = 0; k < touched.count; ++k) whole += touched.squarely[k];
-    const float own = mass_of(w.gait.people[walker / k_block], walker % k_block);
+    const float own = mass_of(person_of(w, walker), walker % k_block);
     be_pushed(w, walker, touched.count ? change * (1 - k_gives) : change);
     for (size_t k = 0; k < touched.count; ++k) {
         const uint32_t other = touched.who[k];
-        const float mass = mass_of(w.gait.people[other / k_block], other % k_block);
+        const float mass = mass_of(person_of(w, other), other % k_block);
         push_on(w, other, change * (k_gives * touched.squarely[k] / whole * own / mass), others - 1);
     }
 }
@@ -165,7 +164,7 @@ struct Touch {
     float deep = 0;
 };
 Touch touch_of(const World& w, const Ball& ball, uint32_t walker) {
-    const PersonBlock& person = w.gait.people[walker / k_block];
+    const PersonBlock& person = person_of(w, walker);
     const int lane = static_cast<int>(walker % k_block);
     const Segments segments = segments_of(person, lane);
     const auto parts = balls_of(body_pose_of(w.poses, walker), segments, person, lane);
@@ -191,7 +190,7 @@ void hit_people(World& w, Ball& ball) {
         if (is_creature(w.herd, i)) continue;
         const Touch touch = touch_of(w, ball, i);
         if (touch.deep <= 0) continue;
-        const PersonBlock& person = w.gait.people[i / k_block];
+        const PersonBlock& person = person_of(w, i);
         const size_t lane = i % k_block;
         const CrowdMotion& m = w.crowd.motion;
         ball.place += touch.normal * touch.deep;

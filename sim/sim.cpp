@@ -384,7 +384,7 @@ bool push(World& w, WalkerId id, Vec2 impulse) {
         is_creature(w.herd, id.index) || own_of(w.crowd.passages, id.index) ||
         w.crowd.identity.ahead[id.index] > 0 || stays_put(w.crowd, id.index))
         return false;
-    push_walker(w, id.index, impulse / mass_of(w.gait.people[id.index / k_block], id.index % k_block));
+    push_walker(w, id.index, impulse / mass_of(person_of(w, id.index), id.index % k_block));
     return true;
 }
 

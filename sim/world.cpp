@@ -434,7 +434,7 @@ void set_drunk(World& w, float drunk) {
 void set_pace(World& w, uint32_t walker) {
     March& march = w.crowd.march;
     if (!is_on(march)) return;
-    const float leg = w.gait.people[walker / k_block].joints[left_upper_leg][1][walker % k_block];
+    const float leg = person_of(w, walker).joints[left_upper_leg][1][walker % k_block];
     march.pace[walker] = pace_of(march.how, leg);
 }
 

@@ -98,9 +98,7 @@ HandOnRim hand_on_rim(const Chair& c) {
 
 }  // namespace
 
-float chair_size(const World& w, uint32_t i) {
-    return w.gait.people[i / k_block].height[i % k_block] / k_usual_height;
-}
+float chair_size(const World& w, uint32_t i) { return person_of(w, i).height[i % k_block] / k_usual_height; }
 
 Chair make_chair(const World& w, uint32_t i) {
     Chair c;

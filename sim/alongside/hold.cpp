@@ -46,9 +46,7 @@ float lift_of(const GaitBlock& g, size_t lane) {
 
 }  // namespace
 
-Holder holder_of(const World& w, uint32_t i) {
-    return {w.gait.people[i / k_block], static_cast<int>(i % k_block), i};
-}
+Holder holder_of(const World& w, uint32_t i) { return {person_of(w, i), static_cast<int>(i % k_block), i}; }
 
 void bring_palm(BodyPose& pose, const Holder& h, Side side, Vec3 palm, Vec3 elbow_way, float part) {
     const BodyPose was = pose;
@@ -106,7 +104,7 @@ void hold_umbrella(const World& w, const Companion& c, BodyPose& pose) {
 BodyAt body_between(const World& w, uint32_t i, float between) {
     auto at = [&](Joint j) { return joint_between(w, i, j, between); };
     BodyAt b;
-    b.height = w.gait.people[i / k_block].height[i % k_block];
+    b.height = person_of(w, i).height[i % k_block];
     b.hips = at(hips).position;
     b.chest = at(upper_chest).position, b.chest_turn = at(upper_chest).rotation;
     b.head = at(head).position, b.head_turn = at(head).rotation;
@@ -117,7 +115,7 @@ BodyAt body_between(const World& w, uint32_t i, float between) {
 Vec3 palm_between(const World& w, uint32_t i, Side side, float between) {
     constexpr float k_palm = 0.06f;  // of the height, from the wrist: as palm_of() has it
     const JointPose hand = joint_between(w, i, side == k_left ? left_hand : right_hand, between);
-    const float height = w.gait.people[i / k_block].height[i % k_block];
+    const float height = person_of(w, i).height[i % k_block];
     return hand.position + rotate(hand.rotation, Vec3{0, -k_palm * height, 0});
 }
 

@@ -294,8 +294,7 @@ void walk_dog(const World& w, Dog& dog, uint32_t ticks, int thread) {
     if (off > 1e-4f) dog.velocity += by * std::min(1.0f, 6 * dt / off);
     constexpr uint32_t k_at_once = 3;  // ticks that a stride can be told in
     const uint32_t steps = (ticks + k_at_once - 1) / k_at_once;
-    for (uint32_t n = 0; n < steps; ++n)
-        step_dog(dog, wish, w.around, steps == 1 ? dt : dt / static_cast<float>(steps));
+    for (uint32_t n = 0; n < steps; ++n) step_dog(dog, wish, w.around, dt / static_cast<float>(steps));
     mind_senses(w, dog, dt);
 }
 
@@ -309,7 +308,7 @@ Dog make_dog(const World& w, uint32_t i, int thread) {
     dog.breed = static_cast<Breed>(random_bits(key, 11) % k_breeds);
     dog.coat = static_cast<uint32_t>(random_bits(key, 12) % 16);
     dog.size = random_between(key, 0.92f, 1.08f, 13);
-    const bool has_left = (w.gait.people[i / k_block].free_hands[i % k_block] & 1 << k_left) != 0;
+    const bool has_left = (person_of(w, i).free_hands[i % k_block] & 1 << k_left) != 0;
     const float side = has_left ? 1.0f : -1.0f;
     dog.side = side * random_between(key, 0.55f, 0.75f, 14);
     dog.ahead = random_between(key, 0.1f, 0.75f, 15);

@@ -269,8 +269,8 @@ static bool choose_place(const Coming& coming, const Crowd& c, Entrant& e, const
     return true;
 }
 
-// Comes in where somebody waits for one; false: nobody does.
-static bool come_where_awaited(Coming& coming, Entrant& e) {
+// Comes in where somebody waits for one, if anybody does.
+static void come_where_awaited(Coming& coming, Entrant& e) {
     for (Awaited& a : coming.awaited) {
         if (a.count == 0) continue;
         --a.count;
@@ -278,9 +278,8 @@ static bool come_where_awaited(Coming& coming, Entrant& e) {
         e.heading = a.heading;
         e.by_door = a.by_door;
         e.tries = 1;  // and looks for no other place
-        return true;
+        return;
     }
-    return false;
 }
 
 // Those of a line whose turn it is, as long as there are fewer than `most` people.
@@ -294,7 +293,7 @@ static void let_in_those_due(Coming& coming, WaitingLine& line, size_t most, Cro
     for (size_t at = first; at < last; ++at) {
         Entrant e = queue[at];
         bool is_in = false;
-        if (!is_sent(e) && !e.place.polygon) (void)come_where_awaited(coming, e);
+        if (!is_sent(e) && !e.place.polygon) come_where_awaited(coming, e);
         const bool has_to_choose = !is_sent(e) && (!e.place.polygon || e.tries % k_tries_a_place == 0);
         if (!has_to_choose || choose_place(coming, c, e, mesh, tick, seed))
             is_in = c.slots.living.size() < most && e.place.polygon &&

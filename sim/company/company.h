@@ -96,7 +96,6 @@ struct Company {
     std::vector<Group> groups;
     std::vector<Bearing> bearings;  // by walker; empty: nobody goes with others
     uint32_t vacant = 0;            // of the groups
-    std::vector<uint8_t> changes;   // scratch, by group: 1: something of it has its turn in order
 };
 inline bool is_on(const Company& company) { return !company.bearings.empty(); }
 

@@ -177,7 +177,6 @@ void make_room(Company& company, Crowd& c, uint32_t capacity) {
     company.bearings.resize(capacity);
     c.fellows.resize(capacity);
     company.groups.reserve(capacity + 1);
-    company.changes.reserve(capacity + 1);
     c.called.reserve(capacity);
     c.wayfarers.reserve(capacity);
 }

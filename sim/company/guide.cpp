@@ -358,32 +358,19 @@ bool goes_along(const Crowd& c, uint32_t i) {
     return way && way->kind == Wayfarer::Kind::along;
 }
 
-bool asks_ways(const Group& g, uint32_t tick) { return (tick + g.members[0].index) % k_decision_ticks == 0; }
-
 // Whether it is of the group no more: is gone, or, asked now and then, somebody has sent it elsewhere.
-bool has_left(const Crowd& c, const Group& g, uint32_t member, bool asks_ways) {
+bool has_left(const Crowd& c, const Group& g, uint32_t member, uint32_t tick) {
     const WalkerId id = g.members[member];
     if (!is_there(c, id)) return true;
     if (g.does == Together::parts) return false;
     if (member == g.leader) return c.journeys[id.index].errand != Errand::wander;
-    return asks_ways && !goes_along(c, id.index);
-}
-
-// Whether keep_up() has anything to do.
-bool changes(const Crowd& c, const Group& g, uint32_t tick) {
-    if (g.does == Together::meets) return true;
-    for (uint32_t k = 0; k < g.count; ++k)
-        if (has_left(c, g, k, asks_ways(g, tick))) return true;
-    if (g.does == Together::parts) return false;
-    const Journey& lead = c.journeys[g.members[g.leader].index];
-    return (g.expects > 0 && tick >= g.expects_until) || (lead.leaves && lead.arrived) ||
-           (g.parted_since != k_never && tick - g.parted_since >= k_gives_up);
+    return (tick + g.members[0].index) % k_decision_ticks == 0 && !goes_along(c, id.index);
 }
 
 // What has an order of its own: who has left, and who leaves.
 void keep_up(Company& company, Crowd& c, std::span<const Folk> folk, Group& g, uint32_t tick) {
     for (uint32_t k = 0; k < g.count;) {
-        if (has_left(c, g, k, asks_ways(g, tick)))
+        if (has_left(c, g, k, tick))
             leave_group(company, c, g, k, folk), k = 0;
         else
             ++k;
@@ -409,25 +396,14 @@ void keep_up(Company& company, Crowd& c, std::span<const Folk> folk, Group& g, u
 
 void guide(Company& company, Crowd& c, const Navmesh& mesh, Workers& workers, std::span<const Folk> folk,
            uint32_t tick, uint64_t seed) {
-    company.changes.resize(company.groups.size());
-    parallel_for(workers, company.groups.size(), 64, [&](size_t begin, size_t end, int) {
-        for (size_t n = begin; n < end; ++n) {
-            const Group& g = company.groups[n];
-            company.changes[n] = g.count > 0 && changes(c, g, tick) ? 1 : 0;
-        }
-    });
-    for (size_t n = 0; n < company.changes.size(); ++n) {
-        if (company.changes[n] == 0) continue;
-        Group& g = company.groups[n];
+    for (Group& g : company.groups) {
+        if (g.count == 0) continue;
         if (g.does == Together::meets)
             meet(company, c, mesh, folk, g, tick, seed);
         else
             keep_up(company, c, folk, g, tick);
+        if (g.count > 0) take_turns(g, tick, seed);
     }
-    parallel_for(workers, company.groups.size(), 64, [&](size_t begin, size_t end, int) {
-        for (size_t n = begin; n < end; ++n)
-            if (company.groups[n].count > 0) take_turns(company.groups[n], tick, seed);
-    });
     if (company.acquaintances > 0) find_meetings(company, c, mesh, folk, tick, seed);
     parallel_for(workers, company.groups.size(), 16, [&](size_t begin, size_t end, int thread) {
         for (size_t n = begin; n < end; ++n) {

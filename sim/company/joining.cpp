@@ -84,7 +84,7 @@ void await_others(const Company& company, Coming& coming) {
         uint32_t called = 0;
         for (Entrant& e : coming.successors.entrants) {
             if (e.place.polygon == 0 || e.place.position != g.entry.position) continue;
-            e.tries = 1;
+            e.tries = 1;  // and looks for no other place
             ++called;
         }
         if (called < g.expects)

@@ -97,8 +97,8 @@ Vec2 round_vehicles(const Roadway& r, Vec3 here, Vec2 wanted, float radius) {
             // Beside it one goes along its side, before it along its end, and off a corner on to one of the
             // next: many cannot all go to the place of a corner.
             const bool on_its_side = x * at.left > 0, on_its_end = z * at.ahead > 0;
-            if (is_beside && is_beyond ? on_its_side == on_its_end : is_beside ? !on_its_side : !on_its_end)
-                continue;
+            const bool is_off_corner = is_beside && is_beyond;
+            if (is_off_corner ? on_its_side == on_its_end : !(is_beside ? on_its_side : on_its_end)) continue;
             const Vec2 corner = in_way->middle + ahead * z + left * x, to = corner - place;
             const float blocked =
                 is_in_way(r, place, normalize_or(to, way), length(to), radius) ? k_blocked : 0;

@@ -217,9 +217,8 @@ std::vector<Finding> life_findings(const World& w, LifeTally& t) {
     const PastimeShares& shares = w.pastimes->shares;
     if (shares.phones > 0)  // Thompson et al. 2013
         out.push_back(within("use a phone, % of people", percent(t.on_phones, t.people), 10, 30));
-    if (shares.sitting > 0) {  // Whyte 1980
-        if (!w.pastimes->places.seats.empty())
-            out.push_back(within("sit, % of people", percent(t.sitting, t.people), 0.1, 15));
+    if (shares.sitting > 0 && !w.pastimes->places.seats.empty()) {  // Whyte 1980
+        out.push_back(within("sit, % of people", percent(t.sitting, t.people), 0.1, 15));
         if (!t.sat.empty()) out.push_back(within("stay on seats, minutes", mean(t.sat), 2, 15));
     }
     if (!t.in_line.empty()) out.push_back(within("apart in lines, m", quantile(t.in_line, 0.5), 0.5, 0.8));
