@@ -163,7 +163,7 @@ void stride_on(Dog& dog, const Rhythm& rhythm, const Surroundings& around, float
         if (foot.share < 0.7f) {
             const Vec3 to = landing_of(dog, leg, seconds, clamp(rests, 0, rhythm.stance), around);
             foot.to += (to - foot.to) * std::min(14 * dt, 1.0f);
-            foot.to = on_the_ground(around, on_ground(foot.to), foot.to.y);
+            foot.to = off_edges(around, dog, on_the_ground(around, on_ground(foot.to), foot.to.y));
         }
         if (foot.share >= 1)
             foot.at = foot.to;

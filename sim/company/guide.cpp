@@ -56,10 +56,10 @@ NavPoint place_beside(const Guide& d, NavPoint from, Vec2 off) {
     return from;
 }
 
-// The same from who leads; where there is no room beside, behind.
-Vec3 spot_beside(const Guide& d, Vec2 off) {
+// The same of who leads, or will be there; where there is no room beside, behind.
+Vec3 spot_beside(const Guide& d, NavPoint from, Vec2 off) {
     constexpr float k_too_near = 0.42f, k_behind = 0.9f;  // metres
-    const NavPoint from = d.from(), to = place_beside(d, from, off);
+    const NavPoint to = place_beside(d, from, off);
     if (length(on_ground(to.position - from.position)) > k_too_near) return to.position;
     return place_beside(d, from, d.g.ahead * -k_behind).position;
 }
@@ -211,7 +211,11 @@ void walk(Guide& d) {
     const uint32_t lead = d.leader();
     const Vec2 velocity = d.c.motion.velocity[lead];
     const float speed = length(velocity);
-    const bool at_kerb = waits_at_kerb(d.c.kerbs, lead) && speed < k_goes;
+    // At a lamp they stand beside where whoever leads will stand: places that went on with it would come to
+    // lie beyond the kerb.
+    const bool at_kerb = waits_at_kerb(d.c.kerbs, lead);
+    const NavPoint from =
+        at_kerb ? place_beside(d, d.from(), d.c.kerbs.waits[lead].to - on_ground(d.at(lead))) : d.from();
     turn(d, at_kerb ? faces_over(d.c.kerbs, lead) : speed > k_goes ? velocity / speed : Vec2{});
     const Shape shape = choose_shape(d);
     d.c.fellows[lead].facing = {};
@@ -222,8 +226,8 @@ void walk(Guide& d) {
         const uint32_t i = d.member(k);
         if (!at_kerb && speed > k_goes && runs_ahead(d, i)) continue;
         const Vec2 off = d.left() * shape.at[k].x + d.g.ahead * shape.at[k].z;
-        const Vec3 spot = spot_beside(d, off);
-        const bool stands = speed < 0.15f;
+        const Vec3 spot = spot_beside(d, from, off);
+        const bool stands = at_kerb || speed < 0.15f;
         set_spot(d, i, spot, stands ? Vec2{} : velocity, stands ? d.g.ahead : Vec2{});
         const Vec2 to = on_ground(spot - d.at(i));
         const float far = length(to);
@@ -285,7 +289,7 @@ void stand_in_row(Guide& d, Vec2 facing) {
     const Shape shape = walking_shape(d.g, d.company.bearings, 0, d.g.mirrored != 0);
     for (uint32_t k = 0; k < d.g.count; ++k) {
         if (k == d.g.leader) continue;
-        const Vec3 spot = spot_beside(d, d.left() * shape.at[k].x);
+        const Vec3 spot = spot_beside(d, d.from(), d.left() * shape.at[k].x);
         const Vec2 inward = d.left() * (shape.at[k].x > 0 ? -k_inward : k_inward);
         set_spot(d, d.member(k), spot, {}, normalize_or(facing + inward, facing));
     }

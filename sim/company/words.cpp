@@ -40,13 +40,16 @@ std::string company_words(const Company& company, const Crowd& c, std::span<cons
     if (member >= g->count) return "";
     const Bearing& b = company.bearings[walker];
     const std::string with = whom(*g, c, folk, walker);
+    auto off_spot = [&](uint32_t i) { return length(on_ground(c.fellows[i].spot - c.motion.position[i])); };
     for (uint32_t k = 0; k < g->count; ++k) {
         const uint32_t i = g->members[k].index;
-        if (k != g->leader && length(on_ground(c.fellows[i].spot - c.motion.position[i])) > 1.5f) ++behind;
+        if (k != g->leader && off_spot(i) > 1.5f) ++behind;
         const Bearing& other = company.bearings[i];
         if (other.holds == walker && other.grip >= 1) holds = i;
     }
     if (g->does == Together::meets) {
+        if (g->stage == Encounter::talks && g->count > 2 && off_spot(walker) > 1.2f)
+            return "goes up to " + with + " who talk";
         const char* stages[] = {"sees an acquaintance and greets", "goes up to an acquaintance",
                                 g->shakes_hands != 0 ? "shakes hands with " : "greets ", "talks with ",
                                 "parts from "};
@@ -60,9 +63,7 @@ std::string company_words(const Company& company, const Crowd& c, std::span<cons
         return "walks hand in hand with " + told(folk[c.identity.body[holds]]) + speech_of(*g, member);
     if (g->does != Together::walks) return "stands with " + with + speech_of(*g, member);
     if (g->waits != 0 && behind > 0 && member == g->leader) return "waits for the one who has fallen behind";
-    const Fellow& f = c.fellows[walker];
-    if (member != g->leader && length(on_ground(f.spot - c.motion.position[walker])) > 2.5f)
-        return "catches up with " + with;
+    if (member != g->leader && off_spot(walker) > 2.5f) return "catches up with " + with;
     return "walks with " + with + speech_of(*g, member);
 }
 

@@ -23,8 +23,9 @@ static constexpr float k_in_the_way = 0.35f;  // metres between bodies, or prams
 static constexpr float k_against = -0.5f;     // cosine between the courses of two who meet
 static constexpr float k_throng = 0.15f;      // metres between bodies
 static constexpr float k_shuffle = 0.24f;     // m/s, of one who does not turn for it
-static constexpr float k_retreat = 0.6f;      // m/s, up to which one goes back without a turn
-static constexpr float k_onward = 0.3f;       // cosine to the course
+static constexpr float k_rocks = 0.26f, k_stands = 0.03f, k_least = 0.1f;  // m/s, of one who stands
+static constexpr float k_retreat = 0.6f;  // m/s, up to which one goes back without a turn
+static constexpr float k_onward = 0.3f;   // cosine to the course
 static constexpr uint32_t k_most_heirs = 16;
 static constexpr float k_same_way = 0.5f;  // cosine between the courses of two who go together
 static constexpr float k_thronged = 1.3f;  // metres, within which all are whom one in a throng minds;
@@ -309,6 +310,14 @@ static Vec2 shuffled(Vec2 v, Vec2 course, bool is_thronged) {
     return v * (k_shuffle / speed);
 }
 
+// Whoever hardly gets on stands rather than rock to and fro, or set off for next to nothing.
+static Vec2 settled(Vec2 v, Vec2 velocity) {
+    const float speed = length(v);
+    if (speed > k_rocks) return v;
+    const bool turns_back = dot(v, velocity) < 0, sets_off = length(velocity) < k_stands && speed < k_least;
+    return turns_back || sets_off ? Vec2{} : v;
+}
+
 // One in a throng has no eyes for those who come the other way but over others' heads. It makes room for them
 // before they meet, or both streams would fill all the way there is: see Deciders::makes_room. `side` is the
 // usual one, 1 or -1.
@@ -367,7 +376,8 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
     for (int lane = 0; lane < d.count; ++lane) {
         const Seen& me = rows.all[d.at[lane]];
         const Vec2 chosen{d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
-        c.decision.chosen[me.id] = shuffled(chosen, me.course, is_thronged[lane]);
+        const Vec2 goes = shuffled(chosen, me.course, is_thronged[lane]);
+        c.decision.chosen[me.id] = settled(goes, c.motion.velocity[me.id]);
     }
 }
 

@@ -168,7 +168,7 @@ Heed wait_at(Kerbs& k, uint32_t i, const PathGoer& goer, const KerbAhead& ahead,
     const Vec2 here = on_ground(goer.at);
     Vec2 way = wait.to - here;
     float far = length(way);
-    if (far > k_about_there && tick - wait.since > k_settles) {
+    if (far > k_there && tick - wait.since > k_settles) {
         const float back = back_of(k.map->crossings.all[ahead.kerb / 2], ahead.kerb, here);
         if (back > k_least_back + goer.ahead && back < k_most_back) wait.to = here, far = 0;
     }
