@@ -8,6 +8,7 @@
 #include "sim/pastimes/pastimes.h"
 #include "tools/flaneur/city/check.h"
 #include "tools/flaneur/city/check_life.h"
+#include "tools/flaneur/city/check_standing.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 
@@ -103,6 +104,7 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
     };
     const bool lives = is_lively(world);
     LifeTally tally;
+    StandingTally standing;
     size_t walking = 0, roads = 0;
     auto ticks = static_cast<uint32_t>(seconds / static_cast<double>(k_tick));
     for (uint32_t tick = 0; tick < ticks; ++tick) {
@@ -116,6 +118,7 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
         for (const uint32_t i : coming.arrivals)
             watches[i] = {.anchor = on_ground(c.motion.position[i]), .since = tick};
         if (is_stopping()) return interrupted();
+        if (lives) look_at_standing(world, standing);
         overlap.value = std::max(overlap.value, static_cast<double>(deepest_overlap(c)));
         if (tick % k_look_ticks != 0) continue;
         if (lives) look_at_life(world, tally);
@@ -158,7 +161,8 @@ Result<std::vector<Finding>> check_crowd(World& world, const City& city, double 
     if (comes_and_goes(coming, c)) findings.push_back(outside);
     if (ticks > k_stuck_ticks) findings.insert(findings.begin() + 2, stuck);  // else nobody could be
     if (lives)
-        for (Finding& f : life_findings(world, tally)) findings.push_back(std::move(f));
+        for (std::vector<Finding> more : {life_findings(world, tally), standing_findings(standing)})
+            std::ranges::move(more, std::back_inserter(findings));
     return findings;
 }
 
