@@ -45,13 +45,19 @@ struct Guide {
 
 bool is_of_cars(Surface kind) { return kind == Surface::road || kind == Surface::crossing; }
 
-// The place so far from another, or as near to it as ground and kerbs let one.
+// Whether who stands there is in the way of who drives. Who leads waits beside the lanes of a crossing.
+bool is_among_cars(const Guide& d, NavPoint p) {
+    return is_of_cars(surface_of(d.mesh, p.polygon)) &&
+           (!has_traffic(d.c.roadway) || is_driven_on(*d.c.roadway.map, on_ground(p.position)));
+}
+
+// The place so far from another, or as near to it as ground, kerbs and lanes let one.
 NavPoint place_beside(const Guide& d, NavPoint from, Vec2 off) {
-    const bool on_road = is_of_cars(surface_of(d.mesh, from.polygon));
+    const bool on_road = is_among_cars(d, from);
     NavPoint to = from;
     for (const float share : {1.0f, 0.5f, 0.2f}) {
         to = move_along(d.mesh, d.thread, from, from.position + at_height(off * share, 0));
-        if (on_road || !is_of_cars(surface_of(d.mesh, to.polygon))) return to;
+        if (on_road || !is_among_cars(d, to)) return to;
     }
     return from;
 }

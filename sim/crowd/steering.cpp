@@ -171,7 +171,9 @@ static int keep_in(const Navmesh& mesh, const Seen& me, bool lifts, Vec2 velocit
         if (dot(away, inward) < -0.05f) continue;  // seen from behind: the border of another part of the mesh
         float distance = length(away);
         bool tip = t <= 0 || t >= 1;  // passed to either side
-        if (tip && distance < 0.02f) continue;
+        // Of two borders at whose corner one is neither holds one off the other's line.
+        constexpr float k_at_end = 0.02f;  // metres
+        if (distance < k_at_end && std::min(t, 1 - t) * length(ab) < k_at_end) continue;
         float to_line = dot(p - a, inward);
         if (!tip) {
             planes[count++] = {inward, -border_speed(distance)};
@@ -310,11 +312,14 @@ static Vec2 shuffled(Vec2 v, Vec2 course, bool is_thronged) {
     return v * (k_shuffle / speed);
 }
 
-// Whoever hardly gets on stands rather than rock to and fro, or set off for next to nothing.
-static Vec2 settled(Vec2 v, Vec2 velocity) {
+// Whoever hardly gets on stands rather than rock to and fro, nor does one who wants to stand set off for next
+// to nothing.
+static Vec2 settled(Vec2 v, Vec2 velocity, Vec2 wanted) {
     const float speed = length(v);
     if (speed > k_rocks) return v;
-    const bool turns_back = dot(v, velocity) < 0, sets_off = length(velocity) < k_stands && speed < k_least;
+    const bool stands = length(velocity) < k_stands;
+    const bool turns_back = !stands && dot(v, velocity) < 0;
+    const bool sets_off = stands && length(wanted) < k_rocks && speed < k_least;
     return turns_back || sets_off ? Vec2{} : v;
 }
 
@@ -343,7 +348,38 @@ static float side_to_make_room(const CrowdScratch& s, const Deciders& d, int lan
     return aside * side > k_beside * come ? -side : side;
 }
 
-static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
+// The wish of one who does not get on because somebody stands right in front who means to stand there, such
+// as one who sits between it and a bench's end: aside, where the mesh lets it. To go straight there as well
+// as others let one would end in such a corner.
+static Vec2 round_who_stands(const Crowd& c, const Navmesh& mesh, int thread, const Deciders& d, int lane,
+                             Vec2 wanted) {
+    constexpr float k_held = 0.25f, k_goes = 0.5f, k_before = 0.8f, k_in_front = 0.5f,
+                    k_aside = 0.7f;            // m/s; metres; cosine
+    constexpr float k_turn = 75 * k_pi / 180;  // radians
+    const Seen& me = c.scratch.seen.all[d.at[lane]];
+    const float speed = length(wanted);
+    if (speed < k_goes || length(c.motion.velocity[me.id]) > k_held) return wanted;
+    const Vec2 way = wanted / speed;
+    for (int k = 0; k < d.near_count[lane]; ++k) {
+        const Seen& other = c.scratch.seen.all[d.near[lane][k]];
+        const Vec2 between = on_ground(other.position - me.position);
+        const float far = length(between);
+        const bool stands =
+            length(c.decision.wanted[other.id]) < k_stands && length(other.velocity) < k_stands;
+        if (!stands || far > k_before || dot(between, way) < k_in_front * far) continue;
+        const float nearer = cross(way, between) > 0 ? -1.0f : 1.0f, yaw = heading_of(way);
+        for (const float side : {nearer, -nearer}) {
+            const Vec2 aside = heading_direction(yaw - side * k_turn) * k_aside;
+            const NavPoint from{me.position, c.motion.polygon[me.id]};
+            const NavPoint to = move_along(mesh, thread, from, me.position + at_height(aside, 0));
+            if (length(on_ground(to.position - me.position) - aside) < k_stands)
+                return aside * (speed / k_aside);
+        }
+    }
+    return wanted;
+}
+
+static void decide(Crowd& c, const Navmesh& mesh, int thread, Deciders& d) {
     const SeenRows& rows = c.scratch.seen;
     find_nearest(c.scratch, d);
     clear(d);
@@ -358,7 +394,8 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         const Claim claim = claim_of(rows, d, lane, intent.insists);
         c.decision.claim[me.id] = claim;
         d.velocity_x.lanes[lane] = velocity.x, d.velocity_z.lanes[lane] = velocity.z;
-        d.wish_x.lanes[lane] = intent.wanted.x, d.wish_z.lanes[lane] = intent.wanted.z;
+        const Vec2 wish = round_who_stands(c, mesh, thread, d, lane, intent.wanted);
+        d.wish_x.lanes[lane] = wish.x, d.wish_z.lanes[lane] = wish.z;
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
         d.makes_room.lanes[lane] = side_to_make_room(c.scratch, d, lane, side);
         // Who walks back onto the mesh crosses its border.
@@ -377,17 +414,17 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         const Seen& me = rows.all[d.at[lane]];
         const Vec2 chosen{d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
         const Vec2 goes = shuffled(chosen, me.course, is_thronged[lane]);
-        c.decision.chosen[me.id] = settled(goes, c.motion.velocity[me.id]);
+        c.decision.chosen[me.id] = settled(goes, c.motion.velocity[me.id], c.decision.wanted[me.id]);
     }
 }
 
 void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {
     // In the order of places, so that those who decide together share neighbours and ground.
-    parallel_for(workers, c.slots.living.size(), 512, [&](size_t begin, size_t end, int) {
+    parallel_for(workers, c.slots.living.size(), 512, [&](size_t begin, size_t end, int thread) {
         Deciders d;
         for (size_t at = begin; at < end; ++at) {
             if (decides(c, c.scratch.order[at] / k_block, tick)) d.at[d.count++] = static_cast<uint32_t>(at);
-            if (d.count == k_block || (at + 1 == end && d.count > 0)) decide(c, mesh, d), d.count = 0;
+            if (d.count == k_block || (at + 1 == end && d.count > 0)) decide(c, mesh, thread, d), d.count = 0;
         }
     });
 }
