@@ -7,6 +7,7 @@
 // own.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -58,6 +59,16 @@ struct Pastime {
     // Of one who sits: how, see sim/pastimes/seated.h, since which tick, and the bodies of that and before.
     uint32_t posture = 0, posture_began = 0;
     BodyPose before{}, now{};
+    // Of one who sits beside those it goes with: who leads them, which may be itself; and radians to the left
+    // that its chest is turned to them.
+    uint32_t with = k_nobody;
+    float turned = 0;
+};
+
+// Those who go together and could sit down now, who leads first; count 0: nobody.
+struct Party {
+    std::array<uint32_t, 4> who{};
+    uint32_t count = 0;
 };
 
 // A list of places, by squares of the ground.
@@ -92,6 +103,9 @@ struct PastimeTick {
     bool (*is_free)(const World& world, uint32_t walker);  // to do as it likes, in full view
     bool (*is_bus_near)(const World& world, Vec3 stop);    // that people get on there, or will at once
     float (*age_of)(const World& world, uint32_t walker);  // years
+    Party (*led_by)(const World& world, uint32_t walker);
+    // Whom of those it goes with one looks at just now, or k_nobody.
+    uint32_t (*heeds)(const World& world, uint32_t walker);
 };
 
 // Between two ticks: the places of a city, and how many use them. Both allocate.

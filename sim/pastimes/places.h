@@ -26,6 +26,9 @@ inline bool is_any(const PastimeShares& s) {
            s.tourists > 0 || s.hurrying > 0 || s.strolling > 0;
 }
 
+// What a seat is a part of.
+enum class SeatOn : uint32_t { bench, fountain, planter, wall, steps };
+
 // Room for one to sit.
 struct Seat {
     Vec3 edge;           // the middle of its front edge, on top
@@ -35,8 +38,11 @@ struct Seat {
     // 0: at an end, 1: between two; who comes takes an end first (Whyte, "The Social Life of Small Urban
     // Spaces", 1980).
     uint32_t rank = 0;
-    uint32_t has_back = 0;  // 1: one may lean back there
+    SeatOn on = SeatOn::bench;
+    float tread = 0;  // metres: of the steps below it, on which feet stand; 0: on level ground
 };
+// Whether one may lean back there.
+inline bool has_back(const Seat& seat) { return seat.on == SeatOn::bench; }
 
 // Glass that one looks through.
 struct ShopWindow {

@@ -70,6 +70,16 @@ void pose_leaning(const PastimeTick& t, const Pastime& p, Someone who, BodyPose&
     pose = leaning_back(pose, stands, who, {p.at, p.facing}, p.posture % 3, share);
 }
 
+// About where the eyes of another are, who may sit.
+Vec3 eyes_of(const PastimeTick& t, uint32_t whom) {
+    constexpr float k_standing = 0.9f, k_over_hips = 0.4f;  // heights
+    const float height = t.gait.people[whom / k_block].height[whom % k_block];
+    const Pastime* other = own_of(t.pastimes.all, whom);
+    const bool sits = other && other->what == Staying::sits && other->phase == StayPhase::stays;
+    return sits ? other->now.hips + Vec3{0, k_over_hips * height, 0}
+                : t.crowd.motion.position[whom] + Vec3{0, k_standing * height, 0};
+}
+
 // Where it looks, if anywhere.
 struct Look {
     HeadTurn turn{};
@@ -91,8 +101,7 @@ Look look_of(const PastimeTick& t, const Pastime& p, Someone who, const BodyPose
     if (has_place || (p.what == Staying::glances && p.phase == StayPhase::stays)) {
         place = p.at;
     } else if (p.whom != k_nobody && p.phase == StayPhase::stays) {
-        const float eyes = 0.9f * t.gait.people[p.whom / k_block].height[p.whom % k_block];
-        place = t.crowd.motion.position[p.whom] + Vec3{0, eyes, 0};
+        place = eyes_of(t, p.whom);
     } else {
         return {};
     }

@@ -22,6 +22,7 @@ struct SatAs {
     SatTrunk trunk = SatTrunk::upright;
     SatLegs legs = SatLegs::flat;
     SatHands hands = SatHands::thighs;
+    float turned = 0;  // radians to the left that the chest is turned on the hips
 };
 // By 32 random bits; `sits_closed`: in a skirt, or a child whose legs hang.
 SatAs sat_as(uint32_t posture, const Seat& seat, bool has_robe);

@@ -25,8 +25,7 @@ PastimePlaces places() {
     PastimePlaces all;
     for (uint32_t b = 0; b < 3; ++b)
         for (const float x : {-0.6f, 0.0f, 0.6f})
-            all.seats.push_back(
-                {k_benches[b] + Vec3{x, 0.46f, 0.21f}, {0, 1}, 0.44f, b, x == 0 ? 1u : 0u, 1});
+            all.seats.push_back({k_benches[b] + Vec3{x, 0.46f, 0.21f}, {0, 1}, 0.44f, b, x == 0 ? 1u : 0u});
     for (const float x : {-8.0f, -4.0f}) all.windows.push_back({{x, 0, 29.9f}, {0, -1}, 1.9f});
     all.services.push_back({{5, 0, 29.1f}, {0, 1}, {1, 0}, 12});
     all.sights.push_back({0, 0, 4});
