@@ -41,12 +41,9 @@ bool is_ground(const City& city, Vec2 at, float height) {
     return ground_height(city, at, height, k_level, k_level).has_value();
 }
 
-// Metres from the edge to the wall's other side, or as far as the ground goes on behind it at its height; 0:
-// it is less than one can sit on.
-float depth_behind(const City& city, const Edge& e, Vec2 at, float top) {
-    constexpr float k_least = 0.24f, k_most = 1.5f, k_enough = 0.5f;
-    if (is_ground(city, at - e.out * k_least, top) && is_ground(city, at - e.out * k_enough, top))
-        return k_enough;
+// Metres from the edge to the wall's other side, at least `least`; 0: there is none.
+float thickness_of(const City& city, const Edge& e, Vec2 at, float top, float least) {
+    constexpr float k_most = 1.5f;
     float depth = 0;
     const Grid& grid = city.ground.wall_grid;
     const Vec2 box{k_most, k_most};
@@ -60,13 +57,22 @@ float depth_behind(const City& city, const Edge& e, Vec2 at, float top) {
                 if (face.kind != FaceKind::garden_wall) continue;
                 const Edge other = edge_of(face);
                 const float behind = dot(at - other.a, e.out), beside = dot(at - other.a, other.along);
-                if (dot(other.out, e.out) > -0.999f || behind < k_least || behind > k_most) continue;
+                if (dot(other.out, e.out) > -0.999f || behind < least || behind > k_most) continue;
                 if (beside < 0 || beside > other.length || std::fabs(other.top(beside) - top) > k_level)
                     continue;
                 if (depth == 0 || behind < depth) depth = behind;
             }
         }
     return depth;
+}
+
+// As deep as one can sit there: on the wall, or on the ground that goes on behind it at its height; 0: one
+// cannot.
+float depth_behind(const City& city, const Edge& e, Vec2 at, float top) {
+    constexpr float k_least = 0.24f, k_enough = 0.5f;
+    if (is_ground(city, at - e.out * k_least, top) && is_ground(city, at - e.out * k_enough, top))
+        return k_enough;
+    return thickness_of(city, e, at, top, k_least);
 }
 
 // Whether a wall or a house stands where the back would be.
@@ -183,6 +189,32 @@ void add_step_seats(const City& city, std::vector<Seat>& seats) {
                 seats.push_back({at_height(at, e.a_top), e.out, below.tread, bench, n == 0 ? 0u : 1u,
                                  SeatOn::steps, below.tread});
             }
+        }
+    }
+}
+
+void add_railings(const City& city, std::vector<Railing>& railings) {
+    constexpr float k_lowest = 0.9f, k_highest = 1.2f, k_steepest = 0.04f, k_before = 0.3f, k_end = 0.4f;
+    constexpr float k_thin = 0.05f, k_thick = 0.5f, k_beyond = 0.5f, k_drop = 1, k_each = 0.8f;
+    for (const Face& face : city.ground.faces) {
+        const Edge e = edge_of(face);
+        if (face.kind != FaceKind::garden_wall || e.length < 2 * k_end ||
+            std::fabs(e.b_top - e.a_top) > k_steepest * e.length)
+            continue;
+        const auto count = 1 + static_cast<int>((e.length - 2 * k_end) / k_each);
+        const float begins = 0.5f * (e.length - k_each * static_cast<float>(count - 1));
+        for (int n = 0; n < count; ++n) {
+            const float from_a = begins + k_each * static_cast<float>(n), top = e.top(from_a);
+            const Vec2 at = e.a + e.along * from_a;
+            const auto ground = ground_at(city.ground, at_height(at + e.out * k_before, top - k_lowest), 0,
+                                          k_highest - k_lowest);
+            if (!ground || !is_walked(ground->kind) || ground->kind == Surface::road) continue;
+            const float thick = thickness_of(city, e, at, top, k_thin);
+            if (thick == 0 || thick > k_thick) continue;
+            const auto beyond = ground_at(city.ground, at_height(at - e.out * (thick + k_beyond), top), 0,
+                                          top - ground->height + k_drop);
+            if (beyond && beyond->kind != Surface::water) continue;
+            railings.push_back({at_height(at, top), -e.out});
         }
     }
 }

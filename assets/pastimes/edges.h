@@ -15,4 +15,8 @@ void add_wall_seats(const City& city, std::vector<Seat>& seats);
 // that nobody has feet in the back.
 void add_step_seats(const City& city, std::vector<Seat>& seats);
 
+// Places at railings and parapets, level and 0.9 to 1.2 m high, beyond which there is water, or at least a
+// metre down to the ground; a body's breadth apart.
+void add_railings(const City& city, std::vector<Railing>& railings);
+
 }  // namespace flaneur

@@ -98,6 +98,7 @@ PastimePlaces pastime_places(const City& city) {
     }
     add_wall_seats(city, places.seats);
     add_step_seats(city, places.seats);
+    add_railings(city, places.railings);
     uint32_t shops = 0;
     for (const Destination& d : city.destinations) {
         if (is_entrance(d.kind)) places.doors.push_back(d.position);

@@ -51,6 +51,8 @@ float lasts(Staying what) {
             return k_sits_down;
         case Staying::leans:
             return k_leans_back;
+        case Staying::leans_out:
+            return k_leans_out;
         case Staying::photographs:
             return 0.3f;
         default:
@@ -132,13 +134,14 @@ void keep_others_off(Crowd& crowd, const Pastimes& all, const Pastime& p, bool s
 
 void begin(const PastimeTick& t, Pastime& p) {
     enter(t, p, StayPhase::begins);
-    if (p.what == Staying::sits || p.what == Staying::leans) stay_put(t, p);
+    if (p.what == Staying::sits || p.what == Staying::leans || p.what == Staying::leans_out) stay_put(t, p);
     if (p.what == Staying::sits) {
         const Seat& seat = t.pastimes.places.seats[p.place];
         keep_others_off(t.crowd, t.pastimes, p, true);
         p.now = p.before = seated_pose(someone(t, p.walker), seat, sat_as(t, p), t.around);
         p.posture_began = t.tick;
     }
+    if (p.what == Staying::leans_out) p.now = body_pose_of(t.poses, p.walker);
     if (p.what == Staying::photographs) {
         p.phone = PhoneUse::photographs;
         p.phone_began = t.tick, p.phone_until = p.until;
@@ -236,6 +239,7 @@ void go_on_staying(const PastimeTick& t, Pastime& p) {
             }
             if (p.what == Staying::sits) shift(t, p);
             if (p.what == Staying::sits || p.what == Staying::leans) look_at_company(t, p);
+            if (p.what == Staying::leans_out) look_out(t, p);
             return;
         case StayPhase::ends:
             if (since >= lasts(p.what)) end_stay(t, p);
@@ -255,11 +259,13 @@ void count_places(Pastimes& all) {
     std::ranges::fill(all.at_seat, 0u);
     std::ranges::fill(all.at_window, 0u);
     std::ranges::fill(all.at_service, 0u);
+    std::ranges::fill(all.at_railing, 0u);
     for (const Pastime& p : all.all) {
         if (p.phase == StayPhase::over) continue;
         if (p.what == Staying::sits) ++all.at_seat[p.place];
         if (p.what == Staying::looks) ++all.at_window[p.place];
         if (p.what == Staying::queues) ++all.at_service[p.place];
+        if (p.what == Staying::leans_out) ++all.at_railing[p.place];
     }
 }
 
@@ -281,7 +287,8 @@ void set_places(Pastimes& all, const PastimePlaces& places, const Navmesh& mesh,
         const bool stays =
             keep_place(p, Staying::sits, all.places.seats, places.seats, &Seat::edge) &&
             keep_place(p, Staying::looks, all.places.windows, places.windows, &ShopWindow::at) &&
-            keep_place(p, Staying::queues, all.places.services, places.services, &Service::at);
+            keep_place(p, Staying::queues, all.places.services, places.services, &Service::at) &&
+            keep_place(p, Staying::leans_out, all.places.railings, places.railings, &Railing::at);
         if (stays) continue;
         call_off(crowd, p.walker);
         if (p.what == Staying::sits) (void)take_away(crowd.beside, p.walker);
@@ -299,6 +306,7 @@ void set_places(Pastimes& all, const PastimePlaces& places, const Navmesh& mesh,
     all.seats = take(places.seats, &Seat::edge);
     all.windows = take(places.windows, &ShopWindow::at);
     all.services = take(places.services, &Service::at);
+    all.railings = take(places.railings, &Railing::at);
     all.sights = index_of({});
     std::vector<Vec2> sights, doors;
     sights.reserve(places.sights.size()), doors.reserve(places.doors.size());
@@ -319,6 +327,7 @@ void set_places(Pastimes& all, const PastimePlaces& places, const Navmesh& mesh,
     all.at_seat.assign(places.seats.size(), 0);
     all.at_window.assign(places.windows.size(), 0);
     all.at_service.assign(places.services.size(), 0);
+    all.at_railing.assign(places.railings.size(), 0);
     all.room.clear();
     all.room.reserve(places.services.size());
     for (const Service& service : places.services) all.room.push_back(room_in_line(service, mesh));

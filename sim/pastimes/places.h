@@ -11,7 +11,7 @@ namespace flaneur {
 // How many do what, 0..1; where all are 0 nobody does anything and nothing else changes.
 struct PastimeShares {
     float sitting = 0;  // of those who stop beside a free seat; of those who pass one, a tenth of that
-    float leaning = 0;  // of those who stop beside a wall
+    float leaning = 0;  // of those who stop beside a wall or a railing; of who passes one, a tenth of that
     float phones = 0;   // of all, at any time; 0.1 .. 0.3 is usual (Thompson et al. 2013)
     // Of those who would look into shop windows that they pass: at 1 some 15 % glance and 3.5 % stop, by our
     // own estimate.
@@ -44,6 +44,12 @@ struct Seat {
 // Whether one may lean back there.
 inline bool has_back(const Seat& seat) { return seat.on == SeatOn::bench; }
 
+// Room for one to put both hands on, and look out over.
+struct Railing {
+    Vec3 at;            // on top, its edge on this side
+    Vec2 facing{0, 1};  // unit, outward: where one looks
+};
+
 // Glass that one looks through.
 struct ShopWindow {
     Vec3 at;             // its middle, on the ground
@@ -61,6 +67,7 @@ struct Service {
 
 struct PastimePlaces {
     std::vector<Seat> seats;
+    std::vector<Railing> railings;
     std::vector<ShopWindow> windows;
     std::vector<Service> services;
     std::vector<Vec3> sights;  // that one takes pictures of; about the middle of each

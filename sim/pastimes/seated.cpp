@@ -169,21 +169,6 @@ void set_foot(BodyPose& pose, Side side, const FootAt& foot) {
     pose.rotation[j] = pose.rotation[j + 1] = normalize(rotation_y(foot.yaw) * rotation_x(foot.down));
 }
 
-// Lowers the hips until no leg is longer than nearly straight, by so much of it: knees that come there snap.
-void keep_knees_bent(BodyPose& pose, Someone who, const FootAt (&feet)[2], float share) {
-    constexpr float k_straightest = 0.975f;
-    const auto places = places_of(pose, who.person, who.lane);
-    const float leg = length(own_place(who, left_lower_leg) - own_place(who, left_upper_leg)) +
-                      length(own_place(who, left_foot) - own_place(who, left_lower_leg));
-    float lower = 0;
-    for (const Side side : {k_left, k_right}) {
-        const Vec3 off = places[thigh_of(side)] - feet[side].ankle;
-        const float most = k_straightest * leg, flat = off.x * off.x + off.z * off.z;
-        lower = std::max(lower, off.y - std::sqrt(std::max(most * most - flat, 0.01f)));
-    }
-    pose.hips.y -= share * lower;
-}
-
 }  // namespace
 
 SatAs sat_as(uint32_t posture, const Seat& seat, bool has_robe) {
@@ -237,6 +222,19 @@ void set_leg(BodyPose& pose, Someone who, Side side, const FootAt& foot, Vec3 po
     set_foot(pose, side, foot);
 }
 
+void keep_knees_bent(BodyPose& pose, Someone who, const FootAt (&feet)[2], float straightest, float share) {
+    const auto places = places_of(pose, who.person, who.lane);
+    const float leg = length(own_place(who, left_lower_leg) - own_place(who, left_upper_leg)) +
+                      length(own_place(who, left_foot) - own_place(who, left_lower_leg));
+    float lower = 0;
+    for (const Side side : {k_left, k_right}) {
+        const Vec3 off = places[thigh_of(side)] - feet[side].ankle;
+        const float most = straightest * leg, flat = off.x * off.x + off.z * off.z;
+        lower = std::max(lower, off.y - std::sqrt(std::max(most * most - flat, 0.01f)));
+    }
+    pose.hips.y -= share * lower;
+}
+
 BodyPose seated_pose(Someone who, const Seat& seat, SatAs how, const Surroundings& around) {
     const SeatFrame f = frame_of(seat);
     const HipsAt at = hips_at(who, seat, how.trunk);
@@ -260,6 +258,7 @@ BodyPose seated_pose(Someone who, const Seat& seat, SatAs how, const Surrounding
 
 BodyPose sitting_down(const BodyPose& standing, const FootAt (&stands)[2], const BodyPose& seated,
                       Someone who, float seconds) {
+    constexpr float k_straightest = 0.975f;
     constexpr float k_step = 0.45f, k_second = 0.3f;     // seconds: of a step, and until the other begins
     constexpr float k_with_feet = 0.2f, k_most = 0.72f;  // of the way of the hips; radians
     const float rest = k_sits_down - k_hips_move;
@@ -280,7 +279,7 @@ BodyPose sitting_down(const BodyPose& standing, const FootAt (&stands)[2], const
         feet[side] =
             stepped(stands[side], foot_of(seated, who, side), clamp((seconds - begins) / k_step, 0, 1));
     }
-    keep_knees_bent(pose, who, feet, bell(clamp(seconds / k_second, 0, 1)) * (1 - u));
+    keep_knees_bent(pose, who, feet, k_straightest, bell(clamp(seconds / k_second, 0, 1)) * (1 - u));
     for (const Side side : {k_left, k_right}) {
         const Vec3 pole = lerp(knee_of(standing, who, side), knee_of(seated, who, side), std::max(steps, u));
         set_leg(pose, who, side, feet[side], normalize_or(pole, {0, 0, 1}));

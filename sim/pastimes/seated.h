@@ -40,6 +40,9 @@ FootAt foot_of(const BodyPose& pose, Someone who, Side side);
 
 // Hip, knee and ankle of a leg by where its foot is, the knee to the side of `pole`.
 void set_leg(BodyPose& pose, Someone who, Side side, const FootAt& foot, Vec3 pole);
+// Lowers the hips until no leg is longer than `straightest` of its length, nearly 1, by so much of it: knees
+// that come nearer to that snap.
+void keep_knees_bent(BodyPose& pose, Someone who, const FootAt (&feet)[2], float straightest, float share);
 // Unit: where the knee of a leg is off the line from hip to ankle.
 Vec3 knee_of(const BodyPose& pose, Someone who, Side side);
 

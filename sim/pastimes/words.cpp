@@ -8,20 +8,27 @@ namespace flaneur {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> k_words = {"",
+constexpr std::array<std::string_view, 9> k_words = {"",
                                                      "sits",
                                                      "leans at the wall",
                                                      "looks at a shop window",
                                                      "glances at a shop window",
                                                      "stands in line",
                                                      "takes a picture",
-                                                     "looks up at a house"};
+                                                     "looks up at a house",
+                                                     "leans on a railing"};
 constexpr std::array<std::string_view, 5> k_sits = {"sits on a bench", "sits on the rim of a fountain",
                                                     "sits on the edge of a planter", "sits on a low wall",
                                                     "sits on the steps"};
-constexpr std::array<std::string_view, 8> k_coming = {
-    "", "goes to sit down",      "goes to lean at a wall",  "goes to look at a shop window",
-    "", "goes to stand in line", "stops to take a picture", "stops to look up"};
+constexpr std::array<std::string_view, 9> k_coming = {"",
+                                                      "goes to sit down",
+                                                      "goes to lean at a wall",
+                                                      "goes to look at a shop window",
+                                                      "",
+                                                      "goes to stand in line",
+                                                      "stops to take a picture",
+                                                      "stops to look up",
+                                                      "goes to look over a railing"};
 constexpr std::array<std::string_view, 4> k_haste = {"", "strolls", "is in a hurry", "runs for the bus"};
 constexpr std::array<std::string_view, 4> k_phone = {"", "texting", "on the phone", ""};
 constexpr std::array<std::string_view, 4> k_phone_alone = {"", "texts on the way", "is on the phone", ""};

@@ -112,6 +112,22 @@ TEST(Seats, AreOnLowWallsOfMapsAndNotOnHighThinOrSlopingOnes) {
     }
 }
 
+// People look out over the quay's parapet, and over nothing else there.
+TEST(Seats, RailingsAreWhereOneLooksOut) {
+    const City quay = build_quayside(1);
+    const auto railings = pastime_places(quay).railings;
+    EXPECT_GT(railings.size(), 50u);
+    for (const Railing& r : railings) {
+        EXPECT_GT(r.facing.z, 0.99f);
+        const Vec2 at = on_ground(r.at);
+        const auto before = ground_at(quay.ground, at_height(at - r.facing * 0.4f, r.at.y), 0, 1.3f);
+        ASSERT_TRUE(before);
+        EXPECT_NEAR(r.at.y - before->height, 1.05f, 0.15f);
+        const auto beyond = ground_at(quay.ground, at_height(at + r.facing, r.at.y), 0, 1.9f);
+        EXPECT_TRUE(!beyond || beyond->kind == Surface::water);
+    }
+}
+
 // Of those who walk on a flight everybody passes by all who sit there: sideways metres that stay free.
 TEST(Seats, LeaveRoomOnFlights) {
     constexpr float k_half_body = 0.25f;
