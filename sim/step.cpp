@@ -43,9 +43,34 @@ PastimeTick pastime_tick(World& w) {
                 return true;
         return false;
     };
+    // All of a group that stands together, if none of it is otherwise engaged.
+    auto led_by = [](const World& world, uint32_t i) {
+        constexpr float k_near = 4;  // metres
+        Party party;
+        const Group* g = group_of(world.company, world.crowd, i);
+        if (!g || g->members[g->leader].index != i || g->expects > 0 ||
+            (g->does != Together::ring && g->does != Together::row))
+            return party;
+        for (uint32_t k = 0; k < g->count; ++k) {
+            const WalkerId id = g->members[k];
+            const uint32_t m = id.index;
+            if (!is_there(world.crowd, id) || !is_by_itself(world, m) || own_of(world.bystanders.all, m) ||
+                own_of(world.crowd.called, m) || companion_of(world, m) ||
+                world.gait.blocks[m / k_block].jump[m % k_block] != 0 ||
+                length(world.crowd.motion.position[m] - world.crowd.motion.position[i]) > k_near)
+                return Party{};
+            party.who[party.count++] = m;
+        }
+        return party;
+    };
+    auto heeds = [](const World& world, uint32_t i) {
+        if (!group_of(world.company, world.crowd, i)) return k_nobody;
+        const Bearing& b = world.company.bearings[i];
+        return b.gazes != 0 ? b.whom : k_nobody;
+    };
     auto age_of = [](const World& world, uint32_t i) { return world.folk[world.crowd.identity.body[i]].age; };
-    return {*w.pastimes, w.crowd, w.gait, *w.navmesh, w.around,    w.poses,
-            w.seed,      w.tick,  w,      is_free,    is_bus_near, age_of};
+    return {*w.pastimes, w.crowd, w.gait,  *w.navmesh,  w.around, w.poses, w.seed,
+            w.tick,      w,       is_free, is_bus_near, age_of,   led_by,  heeds};
 }
 
 constexpr uint32_t k_ticks_between_counts = 6;
@@ -199,6 +224,9 @@ void drive_crowd(World& w) {
     timed(w, Stage::come, [&] { come_and_go(w); });
     look_on(w.crowd, *w.workers, w.tick);
     decide_pastimes(pastime_tick(w));
+    for (const Pastime& p : w.pastimes->all)
+        if (p.with == p.walker && p.what == Staying::sits && p.phase != StayPhase::over)
+            let_sit(w.company, w.crowd, p.walker);
     timed(w, Stage::think, [&] { think(w.crowd, *w.navmesh, *w.workers, w.tick, w.seed); });
     timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "assets/pastimes/edges.h"
 #include "sim/base/math.h"
 
 namespace flaneur {
@@ -19,7 +20,7 @@ void add_bench_seats(const Prop& bench, uint32_t number, std::vector<Seat>& seat
     for (const float aside : {-k_bench_seats, 0.0f, k_bench_seats}) {
         const Vec2 off = facing * k_bench_edge + left * aside;
         seats.push_back({bench.position + at_height(off, k_bench_top), facing, k_bench_depth, number,
-                         aside == 0 ? 1u : 0u, 1});
+                         aside == 0 ? 1u : 0u});
     }
 }
 
@@ -29,7 +30,21 @@ void add_rim_seats(const Prop& fountain, uint32_t number, std::vector<Seat>& sea
         const Vec2 out =
             heading_direction(fountain.yaw + 2 * k_pi * static_cast<float>(n) / static_cast<float>(count));
         seats.push_back({fountain.position + at_height(out * (fountain.radius + k_rim_edge), k_rim_top), out,
-                         k_rim_depth, number, 0, 0});
+                         k_rim_depth, number, 0, SeatOn::fountain});
+    }
+}
+
+// And add_planter(): its rim, on which leaves let one sit at the edge. Two side by side at front and back,
+// one at the others, so that nobody is in another's way at the corners.
+void add_planter_seats(const Prop& planter, uint32_t number, std::vector<Seat>& seats) {
+    constexpr float k_half = 0.6f, k_top = 0.58f, k_depth = 0.18f, k_aside = 0.3f;
+    for (int side = 0; side < 4; ++side) {
+        const Vec2 out = heading_direction(planter.yaw + 0.5f * k_pi * static_cast<float>(side));
+        const Vec2 left{out.z, -out.x};
+        for (const float aside : {-k_aside, 0.0f, k_aside})
+            if ((aside == 0) == (side % 2 == 1))
+                seats.push_back({planter.position + at_height(out * k_half + left * aside, k_top), out,
+                                 k_depth, number, 0, SeatOn::planter});
     }
 }
 
@@ -77,9 +92,13 @@ PastimePlaces pastime_places(const City& city) {
         const Prop& prop = city.props[i];
         if (prop.kind == PropKind::bench) add_bench_seats(prop, i, places.seats);
         if (prop.kind == PropKind::fountain) add_rim_seats(prop, i, places.seats);
+        if (prop.kind == PropKind::planter) add_planter_seats(prop, i, places.seats);
         if (prop.kind == PropKind::fountain || prop.kind == PropKind::statue)
             places.sights.push_back(prop.position);
     }
+    add_wall_seats(city, places.seats);
+    add_step_seats(city, places.seats);
+    add_railings(city, places.railings);
     uint32_t shops = 0;
     for (const Destination& d : city.destinations) {
         if (is_entrance(d.kind)) places.doors.push_back(d.position);

@@ -7,8 +7,9 @@
 
 namespace flaneur {
 
-// Seats of benches and of the rims of fountains, windows beside the doors of shops, and what is worth a
-// picture. Of the city's ground and props as they are, indexed and listed.
+// Seats of benches, of the rims of fountains and planters, of low walls and of flights of steps, windows
+// beside the doors of shops, and what is worth a picture. Of the city's ground and props as they are, indexed
+// and listed.
 PastimePlaces pastime_places(const City& city);
 
 }  // namespace flaneur

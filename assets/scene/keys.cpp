@@ -200,9 +200,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "How many people more play on squares, with those who stop to listen.",
          [](Reading&, Scene& s, const Json& v) { s.along.musicians = v.get<uint32_t>(); }},
         pastime_key<&PastimeShares::sitting>(
-            "sitting", "0.5", "How many of those who stop at benches and may sit down there do."),
-        pastime_key<&PastimeShares::leaning>("leaning", "0.3",
-                                             "How many of those who stop beside a wall lean at it."),
+            "sitting", "0.5",
+            "How many of those who stop at benches, low walls or steps and may sit down there do."),
+        pastime_key<&PastimeShares::leaning>(
+            "leaning", "0.3", "How many of those who stop beside a wall or a railing lean at it."),
         pastime_key<&PastimeShares::phones>("on_phones", "0.2",
                                             "How many people text, call or take pictures at any time."),
         pastime_key<&PastimeShares::windows>(

@@ -41,6 +41,7 @@ enum class Together : uint32_t {
     ring,   // stands round a common middle
     parts,  // leaves the crowd one by one
     meets,  // are acquaintances who have come upon each other
+    sits,   // side by side, or goes to seats (sim/pastimes)
 };
 
 // How far those who meet are (Kendon & Ferber, "A description of some human greetings", 1973): they greet
@@ -119,6 +120,12 @@ void await_others(const Company& company, Coming& coming);
 // who come in after it.
 void join_arrivals(Company& company, Crowd& crowd, const Coming& coming, std::span<const Folk> folk,
                    uint32_t tick, uint64_t seed);
+
+// Who leads a group has been called to a seat, and the others to those beside it: they sit until it is called
+// off.
+inline void let_sit(Company& company, const Crowd& crowd, uint32_t leader) {
+    if (group_of(company, crowd, leader)) company.groups[crowd.fellows[leader].group].does = Together::sits;
+}
 
 // After everybody has moved: where all should be in the next tick, what groups do and who speaks.
 void guide(Company& company, Crowd& crowd, const Navmesh& mesh, Workers& workers, std::span<const Folk> folk,

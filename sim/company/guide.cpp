@@ -324,12 +324,21 @@ void stand(Guide& d) {
     set_pace(d, 0, behind > k_parted);
 }
 
+// They are where they are called to.
+void sit(Guide& d) {
+    for (uint32_t k = 0; k < d.g.count; ++k) set_spot(d, d.member(k), d.at(d.member(k)), {}, {});
+    d.g.waits = 0;
+    d.g.parted_since = k_never;
+}
+
 void guide_group(Guide& d) {
     const uint32_t lead = d.leader();
     if (d.g.does == Together::parts || d.g.does == Together::meets) return;
+    if (d.g.does == Together::sits && own_of(d.c.called, lead)) return sit(d);
     look_about(d);
     const Journey& j = d.c.journeys[lead];
     const bool pauses = j.arrived && d.tick < j.pause_until;
+    if (d.g.does == Together::sits) d.g.does = Together::walks;
     if (pauses && (d.g.does != Together::walks || length(d.c.motion.velocity[lead]) < k_goes))
         return stand(d);
     d.g.does = Together::walks;

@@ -301,7 +301,9 @@ void pose_company(Company& company, const Crowd& c, const Gait& gait, Workers& w
                     b.bows = b.grip = 0;
                     continue;
                 }
-                const bool looks = b.gazes != 0 && c.fellows[b.whom].group == number;
+                // Heads of those who sit are turned to others as their bodies are (sim/pastimes).
+                const bool looks =
+                    b.gazes != 0 && c.fellows[b.whom].group == number && g.does != Together::sits;
                 b.bows += clamp((looks ? down_to(c, gait, i, b.whom) : 0) - b.bows, -k_bows, k_bows);
                 const float pitch = b.bows + nod_of(g, k, tick, seed);
                 if (pitch != 0) bow_head(poses, i, pitch);

@@ -61,6 +61,7 @@ std::string company_words(const Company& company, const Crowd& c, std::span<cons
     if (b.holds != k_nobody && b.grip >= 1) holds = b.holds;
     if (holds != k_nobody && g->does == Together::walks)
         return "walks hand in hand with " + told(folk[c.identity.body[holds]]) + speech_of(*g, member);
+    if (g->does == Together::sits) return "sits with " + with + speech_of(*g, member);
     if (g->does != Together::walks) return "stands with " + with + speech_of(*g, member);
     if (g->waits != 0 && behind > 0 && member == g->leader) return "waits for the one who has fallen behind";
     if (member != g->leader && off_spot(walker) > 2.5f) return "catches up with " + with;

@@ -7,7 +7,6 @@
 #include "sim/base/rng.h"
 #include "sim/base/spans.h"
 #include "sim/base/tick.h"
-#include "sim/ground/grid.h"
 #include "sim/pastimes/haste.h"
 
 namespace flaneur {
@@ -16,41 +15,24 @@ namespace {
 
 uint32_t ticks_of(float seconds) { return static_cast<uint32_t>(seconds / k_tick); }
 
-// Calls visit(index, metres) for each place within `reach`.
-template <class Visit>
-void for_near(const PlaceIndex& index, Vec2 at, float reach, Visit visit) {
-    if (index.places.empty()) return;
-    const Vec2 box{reach, reach};
-    const CellRange r = cells_of_box(index.grid, at - box, at + box);
-    for (int z = r.z0; z <= r.z1; ++z)
-        for (int x = r.x0; x <= r.x1; ++x) {
-            const size_t cell =
-                static_cast<size_t>(z) * static_cast<size_t>(index.grid.width) + static_cast<size_t>(x);
-            for (uint32_t k = index.grid.first[cell]; k < index.grid.first[cell + 1]; ++k) {
-                const uint32_t item = index.grid.items[k];
-                const float far = length(index.places[item] - at);
-                if (far < reach) visit(item, far);
-            }
-        }
-}
 bool is_any_near(const PlaceIndex& index, Vec2 at, float reach) {
     bool is = false;
     for_near(index, at, reach, [&](uint32_t, float) { is = true; });
     return is;
 }
 
-// What is known of one who may do something.
-struct Candidate {
-    uint32_t walker;
-    Vec3 at;
-    Vec2 velocity;
-    float speed;
-    bool has_stopped;  // at its goal, for a while
-    float stays;       // seconds that it will
-    RandomKey key;     // of its trip
-    const PersonBlock& person;
-    size_t lane;
-};
+bool has_own_phone(const Candidate& c) { return c.person.free_hands[c.lane] == 1; }
+// What it did, if it still remembers that, or a new one.
+Pastime& pastime_of(const PastimeTick& t, uint32_t walker) {
+    std::vector<Pastime>& all = t.pastimes.all;
+    if (Pastime* own = own_of(all, walker)) return *own;
+    Pastime p;
+    p.walker = walker;
+    return *all.insert(take_away(all, walker), p);
+}
+
+}  // namespace
+
 Candidate candidate(const PastimeTick& t, uint32_t i) {
     const CrowdMotion& m = t.crowd.motion;
     const Journey& j = t.crowd.journeys[i];
@@ -66,20 +48,10 @@ Candidate candidate(const PastimeTick& t, uint32_t i) {
             i % k_block};
 }
 
-bool has_own_phone(const Candidate& c) { return c.person.free_hands[c.lane] == 1; }
 bool has_free_hands(const Candidate& c) { return c.person.free_hands[c.lane] == 3; }
 bool is_laden(const PastimeTick& t, const Candidate& c) {
     return static_cast<Bag>(c.person.bag[c.lane]) != Bag::none || own_of(t.gait.canes, c.walker) ||
            t.crowd.identity.ahead[c.walker] > 0;
-}
-
-// What it did, if it still remembers that, or a new one.
-Pastime& pastime_of(const PastimeTick& t, uint32_t walker) {
-    std::vector<Pastime>& all = t.pastimes.all;
-    if (Pastime* own = own_of(all, walker)) return *own;
-    Pastime p;
-    p.walker = walker;
-    return *all.insert(take_away(all, walker), p);
 }
 
 Pastime& send(const PastimeTick& t, const Candidate& c, Staying what, Vec2 to, Vec2 facing, float seconds) {
@@ -91,51 +63,14 @@ Pastime& send(const PastimeTick& t, const Candidate& c, Staying what, Vec2 to, V
     p.until = t.tick + ticks_of(seconds + k_comes);
     p.to = to, p.facing = facing;
     p.whom = k_nobody, p.looks_until = 0;
+    p.with = k_nobody, p.turned = 0;
     p.posture = static_cast<uint32_t>(random_bits(c.key, 50));
     const float usual = p.usual_speed > 0 ? p.usual_speed : t.crowd.identity.preferred_speed[c.walker];
     call(t.crowd, {c.walker, to, facing, std::min(usual, 1.2f)});
     return p;
 }
 
-// The nearest free seat, an end of a bench first.
-uint32_t seat_near(const PastimeTick& t, const Candidate& c, float reach) {
-    const Pastimes& all = t.pastimes;
-    const std::vector<Seat>& seats = all.places.seats;
-    uint32_t best = k_nobody;
-    float least = reach;
-    auto is_taken = [&](size_t s, uint32_t bench) {
-        return s >= seats.size() || seats[s].bench != bench || all.at_seat[s] > 0;
-    };
-    for_near(all.seats, on_ground(c.at), reach, [&](uint32_t s, float far) {
-        const NavPoint& before = all.before_seat[s];
-        if (all.at_seat[s] > 0 || before.polygon == 0) return;
-        if (std::fabs(before.position.y - c.at.y) > 0.6f) return;
-        const uint32_t bench = seats[s].bench;
-        if (seats[s].rank > 0 && !(is_taken(s + 1, bench) && is_taken(size_t{s} - 1, bench))) return;
-        if (far < least && is_clear(t.mesh, c.at, before.position)) least = far, best = s;
-    });
-    return best;
-}
-
-bool sits_down(const PastimeTick& t, const Candidate& c) {
-    constexpr float k_stops_within = 6, k_passes_within = 3.5f, k_of_passers = 0.1f;
-    constexpr float k_least = 120, k_most = 900, k_least_leg = 0.42f;  // seconds (Whyte 1980); metres
-    const float share = t.pastimes.shares.sitting;
-    if (share <= 0 || t.pastimes.places.seats.empty()) return false;
-    if (random_unit(c.key, c.has_stopped ? 1u : 2u) >= share * (c.has_stopped ? 1 : k_of_passers))
-        return false;
-    if (is_laden(t, c) || !has_free_hands(c) || c.person.joints[left_upper_leg][1][c.lane] < k_least_leg)
-        return false;
-    const uint32_t s = seat_near(t, c, c.has_stopped ? k_stops_within : k_passes_within);
-    if (s == k_nobody) return false;
-    const float u = random_unit(c.key, 3);
-    const float seconds = (k_least + (k_most - k_least) * u * u) * t.crowd.identity.linger[c.walker];
-    const Seat& seat = t.pastimes.places.seats[s];
-    const Vec2 to = on_ground(t.pastimes.before_seat[s].position);
-    send(t, c, Staying::sits, to, seat.facing, seconds).place = s;
-    ++t.pastimes.at_seat[s];
-    return true;
-}
+namespace {
 
 // Whether somebody leans or will lean there.
 bool is_leant_on(const Pastimes& all, Vec2 to) {
@@ -330,7 +265,11 @@ bool has_robe(const PersonBlock& person, size_t lane) {
 
 void consider(const PastimeTick& t, uint32_t i) {
     const Pastime* own = own_of(t.pastimes.all, i);
-    if (!t.is_free(t.world, i) || (own_of(t.crowd.called, i) && !own)) return;
+    if (!t.is_free(t.world, i)) {
+        if (t.pastimes.shares.sitting > 0 && !own) sit_together(t, i);
+        return;
+    }
+    if (own_of(t.crowd.called, i) && !own) return;
     const Candidate c = candidate(t, i);
     const Journey& j = t.crowd.journeys[i];
     const Haste haste = own ? own->haste : haste_of(t, i);
@@ -344,7 +283,9 @@ void consider(const PastimeTick& t, uint32_t i) {
     const bool goes_about = j.errand == Errand::wander && !(j.leaves && j.arrived) && t.tick > 0 &&
                             !waits_at_kerb(t.crowd.kerbs, i);
     if (may_stay && goes_about && (!own || own->phone == PhoneUse::none)) {
-        if (sits_down(t, c) || leans(t, c) || lines_up(t, c) || minds_windows(t, c) || looks_up(t, c)) return;
+        if (sits_down(t, c) || leans_out(t, c) || leans(t, c) || lines_up(t, c) || minds_windows(t, c) ||
+            looks_up(t, c))
+            return;
     }
     const bool may_use = !own || own->phase == StayPhase::stays || own->phase == StayPhase::over ||
                          own->what == Staying::nowhere;

@@ -21,6 +21,7 @@ constexpr uint32_t k_every = 30;      // ticks between two looks at what somebod
 constexpr uint32_t k_gives_up = 900;  // ticks until one who does not get to its place leaves it
 constexpr float k_index_cell = 8;     // metres
 constexpr float k_before_edge = 0.42f;
+constexpr float k_feet_treads = 1.5f;  // treads from the edge of a seat on steps to where one stands
 
 uint32_t ticks_of(float seconds) { return static_cast<uint32_t>(seconds / k_tick); }
 
@@ -50,6 +51,8 @@ float lasts(Staying what) {
             return k_sits_down;
         case Staying::leans:
             return k_leans_back;
+        case Staying::leans_out:
+            return k_leans_out;
         case Staying::photographs:
             return 0.3f;
         default:
@@ -107,7 +110,9 @@ Someone someone(const PastimeTick& t, uint32_t i) {
 
 SatAs sat_as(const PastimeTick& t, const Pastime& p) {
     const PersonBlock& person = t.gait.people[p.walker / k_block];
-    return sat_as(p.posture, t.pastimes.places.seats[p.place], has_robe(person, p.walker % k_block));
+    SatAs how = sat_as(p.posture, t.pastimes.places.seats[p.place], has_robe(person, p.walker % k_block));
+    how.turned = p.turned;
+    return how;
 }
 
 // From now on nobody moves it.
@@ -115,14 +120,28 @@ void stay_put(const PastimeTick& t, const Pastime& p) {
     call(t.crowd, {p.walker, on_ground(t.crowd.motion.position[p.walker]), p.facing, 0});
 }
 
+// On steps nothing but others' eyes keeps them off one's back, a tread or two behind the feet.
+void keep_others_off(Crowd& crowd, const Pastimes& all, const Pastime& p, bool sits) {
+    constexpr float k_behind_edge = 0.15f;  // metres
+    if (p.what != Staying::sits) return;
+    const Seat& seat = all.places.seats[p.place];
+    if (seat.tread <= 0) return;
+    const auto at = take_away(crowd.beside, p.walker);
+    if (sits)
+        crowd.beside.insert(
+            at, GoesBeside{p.walker, seat.facing * -(k_feet_treads * seat.tread + k_behind_edge)});
+}
+
 void begin(const PastimeTick& t, Pastime& p) {
     enter(t, p, StayPhase::begins);
-    if (p.what == Staying::sits || p.what == Staying::leans) stay_put(t, p);
+    if (p.what == Staying::sits || p.what == Staying::leans || p.what == Staying::leans_out) stay_put(t, p);
     if (p.what == Staying::sits) {
         const Seat& seat = t.pastimes.places.seats[p.place];
+        keep_others_off(t.crowd, t.pastimes, p, true);
         p.now = p.before = seated_pose(someone(t, p.walker), seat, sat_as(t, p), t.around);
         p.posture_began = t.tick;
     }
+    if (p.what == Staying::leans_out) p.now = body_pose_of(t.poses, p.walker);
     if (p.what == Staying::photographs) {
         p.phone = PhoneUse::photographs;
         p.phone_began = t.tick, p.phone_until = p.until;
@@ -159,9 +178,39 @@ void look_about(const PastimeTick& t, Pastime& p) {
     }
 }
 
+// Those it goes with, or else who passes.
+void look_at_company(const PastimeTick& t, Pastime& p) {
+    const uint32_t whom = p.with == k_nobody ? k_nobody : t.heeds(t.world, p.walker);
+    if (whom == k_nobody) return look_about(t, p);
+    p.whom = whom;
+    p.looks_until = t.tick;
+}
+
+bool is_seated_with(const Pastime& p) {
+    return p.what == Staying::sits && p.with != k_nobody && p.phase != StayPhase::over;
+}
+
+// One of those who sit together gets up, or does not get to its seat: all do.
+void raise_others(Pastimes& all, const Pastime& p) {
+    if (!is_seated_with(p)) return;
+    Pastime* lead = own_of(all.all, p.with);
+    if (lead && is_seated_with(*lead)) lead->until = 0;
+}
+
+// Whether it is still on its way and none of the others stay.
+bool follows_who_leads(const PastimeTick& t, Pastime& p) {
+    const Pastime* lead = own_of(t.pastimes.all, p.with);
+    const bool stays = lead && is_seated_with(*lead) && lead->with == p.with &&
+                       lead->phase != StayPhase::ends && t.tick < lead->until;
+    if (!stays) p.until = std::min(p.until, t.tick);
+    return !stays && p.phase == StayPhase::comes;
+}
+
 // Whether what it did at a place is over.
 void end_stay(const PastimeTick& t, Pastime& p) {
     if (p.what != Staying::glances) call_off(t.crowd, p.walker);
+    raise_others(t.pastimes, p);
+    keep_others_off(t.crowd, t.pastimes, p, false);
     enter(t, p, StayPhase::over);
     p.until = t.tick + ticks_of(remembers(p.what));
     p.whom = k_nobody;
@@ -170,6 +219,7 @@ void end_stay(const PastimeTick& t, Pastime& p) {
 
 void go_on_staying(const PastimeTick& t, Pastime& p) {
     const float since = static_cast<float>(t.tick - p.began) * k_tick;
+    if (is_seated_with(p) && follows_who_leads(t, p)) return end_stay(t, p);
     switch (p.phase) {
         case StayPhase::comes:
             if (t.tick - p.began > k_gives_up || !own_of(t.crowd.called, p.walker)) return end_stay(t, p);
@@ -188,7 +238,8 @@ void go_on_staying(const PastimeTick& t, Pastime& p) {
                 return;
             }
             if (p.what == Staying::sits) shift(t, p);
-            if (p.what == Staying::sits || p.what == Staying::leans) look_about(t, p);
+            if (p.what == Staying::sits || p.what == Staying::leans) look_at_company(t, p);
+            if (p.what == Staying::leans_out) look_out(t, p);
             return;
         case StayPhase::ends:
             if (since >= lasts(p.what)) end_stay(t, p);
@@ -208,11 +259,13 @@ void count_places(Pastimes& all) {
     std::ranges::fill(all.at_seat, 0u);
     std::ranges::fill(all.at_window, 0u);
     std::ranges::fill(all.at_service, 0u);
+    std::ranges::fill(all.at_railing, 0u);
     for (const Pastime& p : all.all) {
         if (p.phase == StayPhase::over) continue;
         if (p.what == Staying::sits) ++all.at_seat[p.place];
         if (p.what == Staying::looks) ++all.at_window[p.place];
         if (p.what == Staying::queues) ++all.at_service[p.place];
+        if (p.what == Staying::leans_out) ++all.at_railing[p.place];
     }
 }
 
@@ -234,9 +287,11 @@ void set_places(Pastimes& all, const PastimePlaces& places, const Navmesh& mesh,
         const bool stays =
             keep_place(p, Staying::sits, all.places.seats, places.seats, &Seat::edge) &&
             keep_place(p, Staying::looks, all.places.windows, places.windows, &ShopWindow::at) &&
-            keep_place(p, Staying::queues, all.places.services, places.services, &Service::at);
+            keep_place(p, Staying::queues, all.places.services, places.services, &Service::at) &&
+            keep_place(p, Staying::leans_out, all.places.railings, places.railings, &Railing::at);
         if (stays) continue;
         call_off(crowd, p.walker);
+        if (p.what == Staying::sits) (void)take_away(crowd.beside, p.walker);
         p.phase = StayPhase::over;
         p.until = 0;
     }
@@ -251,6 +306,7 @@ void set_places(Pastimes& all, const PastimePlaces& places, const Navmesh& mesh,
     all.seats = take(places.seats, &Seat::edge);
     all.windows = take(places.windows, &ShopWindow::at);
     all.services = take(places.services, &Service::at);
+    all.railings = take(places.railings, &Railing::at);
     all.sights = index_of({});
     std::vector<Vec2> sights, doors;
     sights.reserve(places.sights.size()), doors.reserve(places.doors.size());
@@ -260,7 +316,9 @@ void set_places(Pastimes& all, const PastimePlaces& places, const Navmesh& mesh,
     all.before_seat.assign(places.seats.size(), {});
     for (size_t s = 0; s < places.seats.size(); ++s) {
         const Seat& seat = places.seats[s];
-        const Vec3 before = seat.edge + at_height(seat.facing * k_before_edge, -0.4f);
+        // On steps one stands where the feet will be.
+        const float off = seat.tread > 0 ? k_feet_treads * seat.tread : k_before_edge;
+        const Vec3 before = seat.edge + at_height(seat.facing * off, -0.4f);
         const auto place = nearest(mesh, 0, before, {0.4f, 0.8f, 0.4f});
         // Not beside the seat, nor so far off that feet do not get there.
         if (place && std::fabs(cross(on_ground(place->position - before), seat.facing)) < 0.12f)
@@ -269,6 +327,7 @@ void set_places(Pastimes& all, const PastimePlaces& places, const Navmesh& mesh,
     all.at_seat.assign(places.seats.size(), 0);
     all.at_window.assign(places.windows.size(), 0);
     all.at_service.assign(places.services.size(), 0);
+    all.at_railing.assign(places.railings.size(), 0);
     all.room.clear();
     all.room.reserve(places.services.size());
     for (const Service& service : places.services) all.room.push_back(room_in_line(service, mesh));
@@ -280,12 +339,15 @@ void set_shares(Pastimes& all, const PastimeShares& shares, Crowd& crowd) {
     const size_t most = std::min<size_t>(crowd.capacity, 256 + crowd.capacity / 2);
     all.all.reserve(most);
     crowd.called.reserve(std::max(crowd.called.capacity(), most));
+    crowd.beside.reserve(std::max(crowd.beside.capacity(), most));
 }
 
 void forget_pastime(Pastimes& all, Crowd& crowd, uint32_t walker) {
     const Pastime* p = own_of(all.all, walker);
     if (!p) return;
     if (p->usual_speed > 0) crowd.identity.preferred_speed[walker] = p->usual_speed;
+    raise_others(all, *p);
+    if (p->phase != StayPhase::over) keep_others_off(crowd, all, *p, false);
     (void)take_away(all.all, walker);
 }
 

@@ -7,6 +7,7 @@
 // own.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -31,6 +32,7 @@ enum class Staying : uint32_t {
     queues,       // stands in line
     photographs,  // stands and takes a picture
     marvels,      // stands and looks up at a house
+    leans_out,    // with both hands on a railing
 };
 enum class StayPhase : uint32_t { comes, begins, stays, ends, over };  // over: remembers it for a while
 // How it goes, on this trip; runs: for a bus.
@@ -42,7 +44,7 @@ struct Pastime {
     Staying what = Staying::nowhere;
     StayPhase phase = StayPhase::comes;
     uint32_t began = 0, until = 0;                  // ticks: of this phase; until one ends staying
-    uint32_t place = 0;                             // index of its seat, window or service
+    uint32_t place = 0;                             // index of its seat, window, service or railing
     uint32_t rank = 0;                              // in its line, 0: is served
     uint32_t joined = 0, moves_up = 0, served = 0;  // ticks, of one in a line; served 0: not yet begun
     PhoneUse phone = PhoneUse::none;
@@ -56,8 +58,19 @@ struct Pastime {
     HeadTurn gaze{};           // where the head is turned,
     float heed = 0;            // 0: as the walk has it .. 1: there
     // Of one who sits: how, see sim/pastimes/seated.h, since which tick, and the bodies of that and before.
+    // Of one who leans out: the body as it stood before.
     uint32_t posture = 0, posture_began = 0;
     BodyPose before{}, now{};
+    // Of one who sits beside those it goes with: who leads them, which may be itself; and radians to the left
+    // that its chest is turned to them.
+    uint32_t with = k_nobody;
+    float turned = 0;
+};
+
+// Those who go together and could sit down now, who leads first; count 0: nobody.
+struct Party {
+    std::array<uint32_t, 4> who{};
+    uint32_t count = 0;
 };
 
 // A list of places, by squares of the ground.
@@ -73,9 +86,9 @@ struct Pastimes {
     // What is known of the places. Seats are sat on from there; polygon 0: from nowhere.
     std::vector<NavPoint> before_seat;
     std::vector<uint32_t> room;  // by service: how many can stand in line
-    PlaceIndex seats, windows, services, sights, doors;
-    // By seat, window and service: how many are at it. Anew in each tick.
-    std::vector<uint32_t> at_seat, at_window, at_service;
+    PlaceIndex seats, windows, services, railings, sights, doors;
+    // By seat, window, service and railing: how many are at it. Anew in each tick.
+    std::vector<uint32_t> at_seat, at_window, at_service, at_railing;
 };
 
 // What the stage of a tick that concerns them goes by.
@@ -92,6 +105,9 @@ struct PastimeTick {
     bool (*is_free)(const World& world, uint32_t walker);  // to do as it likes, in full view
     bool (*is_bus_near)(const World& world, Vec3 stop);    // that people get on there, or will at once
     float (*age_of)(const World& world, uint32_t walker);  // years
+    Party (*led_by)(const World& world, uint32_t walker);
+    // Whom of those it goes with one looks at just now, or k_nobody.
+    uint32_t (*heeds)(const World& world, uint32_t walker);
 };
 
 // Between two ticks: the places of a city, and how many use them. Both allocate.

@@ -11,7 +11,7 @@ namespace flaneur {
 // How many do what, 0..1; where all are 0 nobody does anything and nothing else changes.
 struct PastimeShares {
     float sitting = 0;  // of those who stop beside a free seat; of those who pass one, a tenth of that
-    float leaning = 0;  // of those who stop beside a wall
+    float leaning = 0;  // of those who stop beside a wall or a railing; of who passes one, a tenth of that
     float phones = 0;   // of all, at any time; 0.1 .. 0.3 is usual (Thompson et al. 2013)
     // Of those who would look into shop windows that they pass: at 1 some 15 % glance and 3.5 % stop, by our
     // own estimate.
@@ -26,6 +26,9 @@ inline bool is_any(const PastimeShares& s) {
            s.tourists > 0 || s.hurrying > 0 || s.strolling > 0;
 }
 
+// What a seat is a part of.
+enum class SeatOn : uint32_t { bench, fountain, planter, wall, steps };
+
 // Room for one to sit.
 struct Seat {
     Vec3 edge;           // the middle of its front edge, on top
@@ -35,7 +38,16 @@ struct Seat {
     // 0: at an end, 1: between two; who comes takes an end first (Whyte, "The Social Life of Small Urban
     // Spaces", 1980).
     uint32_t rank = 0;
-    uint32_t has_back = 0;  // 1: one may lean back there
+    SeatOn on = SeatOn::bench;
+    float tread = 0;  // metres: of the steps below it, on which feet stand; 0: on level ground
+};
+// Whether one may lean back there.
+inline bool has_back(const Seat& seat) { return seat.on == SeatOn::bench; }
+
+// Room for one to put both hands on, and look out over.
+struct Railing {
+    Vec3 at;            // on top, its edge on this side
+    Vec2 facing{0, 1};  // unit, outward: where one looks
 };
 
 // Glass that one looks through.
@@ -55,6 +67,7 @@ struct Service {
 
 struct PastimePlaces {
     std::vector<Seat> seats;
+    std::vector<Railing> railings;
     std::vector<ShopWindow> windows;
     std::vector<Service> services;
     std::vector<Vec3> sights;  // that one takes pictures of; about the middle of each

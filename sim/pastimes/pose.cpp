@@ -70,6 +70,33 @@ void pose_leaning(const PastimeTick& t, const Pastime& p, Someone who, BodyPose&
     pose = leaning_back(pose, stands, who, {p.at, p.facing}, p.posture % 3, share);
 }
 
+// From the pose in which it came to stand there: the gait may step meanwhile.
+void pose_leaning_out(const PastimeTick& t, const Pastime& p, Someone who, BodyPose& pose) {
+    const float share = share_of(p, t.tick, k_leans_out), u = bell(share);
+    if (share <= 0) return;
+    FootAt stands[2];
+    for (const Side side : {k_left, k_right}) {
+        const FootAt now = gait_foot(t, pose, who, p.walker, side), stood = foot_of(p.now, who, side);
+        stands[side] = {lerp(now.ankle, stood.ankle, u), now.yaw + wrap_angle(stood.yaw - now.yaw) * u,
+                        lerp(now.down, stood.down, u)};
+    }
+    const Railing& rail = t.pastimes.places.railings[p.place];
+    const Vec2 along{-rail.facing.z, rail.facing.x};
+    const float aside = dot(p.to - on_ground(rail.at), along);
+    pose = leaning_out(mixed(pose, p.now, u), stands, who,
+                       {rail.at + at_height(along * aside, 0), rail.facing}, p.posture, share);
+}
+
+// About where the eyes of another are, who may sit.
+Vec3 eyes_of(const PastimeTick& t, uint32_t whom) {
+    constexpr float k_standing = 0.9f, k_over_hips = 0.4f;  // heights
+    const float height = t.gait.people[whom / k_block].height[whom % k_block];
+    const Pastime* other = own_of(t.pastimes.all, whom);
+    const bool sits = other && other->what == Staying::sits && other->phase == StayPhase::stays;
+    return sits ? other->now.hips + Vec3{0, k_over_hips * height, 0}
+                : t.crowd.motion.position[whom] + Vec3{0, k_standing * height, 0};
+}
+
 // Where it looks, if anywhere.
 struct Look {
     HeadTurn turn{};
@@ -85,14 +112,13 @@ Look look_of(const PastimeTick& t, const Pastime& p, Someone who, const BodyPose
     }
     Vec3 place;
     const bool is_there_now = p.phase == StayPhase::begins || p.phase == StayPhase::stays;
-    const bool has_place =
-        (p.what == Staying::looks || p.what == Staying::photographs || p.what == Staying::marvels) &&
-        is_there_now;
+    const bool has_place = (p.what == Staying::looks || p.what == Staying::photographs ||
+                            p.what == Staying::marvels || p.what == Staying::leans_out) &&
+                           is_there_now;
     if (has_place || (p.what == Staying::glances && p.phase == StayPhase::stays)) {
         place = p.at;
     } else if (p.whom != k_nobody && p.phase == StayPhase::stays) {
-        const float eyes = 0.9f * t.gait.people[p.whom / k_block].height[p.whom % k_block];
-        place = t.crowd.motion.position[p.whom] + Vec3{0, eyes, 0};
+        place = eyes_of(t, p.whom);
     } else {
         return {};
     }
@@ -114,7 +140,8 @@ void turn_to(Pastime& p, const Look& look, float dt, BodyPose& pose) {
 void pose_pastime(const PastimeTick& t, Pastime& p, float dt) {
     constexpr float k_bows = 0.16f;  // radians of the back, of who looks closely
     const float out = phone_out(p, t.tick);
-    const bool is_body = (p.what == Staying::sits || p.what == Staying::leans || p.what == Staying::looks) &&
+    const bool is_body = (p.what == Staying::sits || p.what == Staying::leans || p.what == Staying::looks ||
+                          p.what == Staying::leans_out) &&
                          p.phase != StayPhase::comes && p.phase != StayPhase::over;
     const bool looks = p.what != Staying::nowhere && p.phase == StayPhase::stays;
     if (!is_body && !looks && out == 0 && p.heed == 0) return;
@@ -122,6 +149,7 @@ void pose_pastime(const PastimeTick& t, Pastime& p, float dt) {
     BodyPose pose = body_pose_of(t.poses, p.walker);
     if (p.what == Staying::sits) pose_seated(t, p, who, pose);
     if (p.what == Staying::leans) pose_leaning(t, p, who, pose);
+    if (p.what == Staying::leans_out) pose_leaning_out(t, p, who, pose);
     if (p.what == Staying::looks && p.phase == StayPhase::stays) {
         const float since = seconds_since(t.tick, p.began), left = seconds_since(p.until, t.tick);
         lean_trunk(pose, k_bows * bell(clamp((since - 1) / 1.5f, 0, 1)) * bell(clamp(left / 1.2f, 0, 1)));

@@ -33,13 +33,15 @@ SeatFrame frame_of(const Seat& seat) {
     return {seat.edge, cross(k_up, ahead), ahead};
 }
 
-// Trunk, neck and head, bent ahead by so many radians in all, of which the pelvis has `of_pelvis`.
-void bend_trunk(BodyPose& pose, Quat yaw, float of_pelvis, float ahead) {
+// Trunk, neck and head, bent ahead by so many radians in all, of which the pelvis has `of_pelvis`, and
+// turned to the left by `turned`, of which it has nothing.
+void bend_trunk(BodyPose& pose, Quat yaw, float of_pelvis, float ahead, float turned) {
     pose.rotation.fill(yaw);
     pose.rotation[hips] = normalize(yaw * rotation_x(of_pelvis));
     float bent = of_pelvis;
     for (const int j : {spine, chest, upper_chest}) {
         bent += (ahead - of_pelvis) / 3;
+        yaw = normalize(yaw * rotation_y(turned / 3));
         pose.rotation[static_cast<size_t>(j)] = normalize(yaw * rotation_x(bent));
     }
     for (size_t j = left_shoulder; j <= right_hand; ++j) pose.rotation[j] = pose.rotation[upper_chest];
@@ -56,14 +58,47 @@ HipsAt hips_at(Someone who, const Seat& seat, SatTrunk trunk) {
     const float back = who.person.girth[2][who.lane];
     const float slides = trunk == SatTrunk::back ? 0.05f : 0.0f;
     float ahead = -seat.depth + back + slides + 0.01f;
-    if (seat.has_back == 0) ahead = std::max(ahead, -0.62f * thigh);
+    if (!has_back(seat)) ahead = std::max(ahead, -0.62f * thigh);
     if (trunk != SatTrunk::back) ahead = std::max(ahead, -0.75f * thigh);
     return {std::max(ahead, k_over_edge - thigh), seat_of(who)};
+}
+
+// Legs that hang.
+FootAt hanging_foot(Someone who, const SeatFrame& f, HipsAt hips_are, float aside, float yaw) {
+    const float thigh = length(own_place(who, left_lower_leg) - own_place(who, left_upper_leg));
+    const float shank = length(own_place(who, left_foot) - own_place(who, left_lower_leg));
+    const float ahead = hips_are.ahead + 0.97f * thigh - 0.02f;
+    return {f.at(aside, hips_are.up - 0.22f * thigh - 0.97f * shank, ahead), yaw, 0.35f};
+}
+
+// On the middle of a tread two below the seat, three where legs are stretched, or as far down as they are
+// long.
+FootAt foot_on_tread(Someone who, const Seat& seat, HipsAt hips_are, SatLegs legs, Side side,
+                     const Surroundings& around) {
+    constexpr float k_straightest = 0.94f, k_heel = 0.028f;  // of a leg; heights, from a foot's middle back
+    const SeatFrame f = frame_of(seat);
+    const float leg = length(own_place(who, left_lower_leg) - own_place(who, left_upper_leg)) +
+                      length(own_place(who, left_foot) - own_place(who, left_lower_leg));
+    const float ankle = own_place(who, left_foot).y, out = outward_of(side);
+    const float hip_aside = out * own_place(who, left_upper_leg).x;
+    const float aside = hip_aside * (legs == SatLegs::apart ? 1.3f : 1.1f);
+    const float yaw = heading_of(seat.facing) + out * (legs == SatLegs::apart ? 0.2f : 0.12f);
+    const Vec3 hip = f.at(hip_aside, hips_are.up, hips_are.ahead);
+    for (int down = legs == SatLegs::stretched ? 3 : 2; down > 0; --down) {
+        const float middle = (static_cast<float>(down) - 0.5f) * seat.tread;
+        const auto ground = ground_at(around, f.at(aside, 0, middle), 0, 1.5f);
+        if (!ground) continue;
+        const float floor = ground->height - seat.edge.y;
+        const Vec3 at = f.at(aside, floor + ankle, middle - k_heel * height_of(who));
+        if (length(at - hip) < k_straightest * leg) return {at, yaw, 0};
+    }
+    return hanging_foot(who, f, hips_are, aside, yaw);
 }
 
 // Where a foot is of one who sits with its hips there.
 FootAt foot_before(Someone who, const Seat& seat, HipsAt hips_are, SatLegs legs, Side side,
                    const Surroundings& around) {
+    if (seat.tread > 0) return foot_on_tread(who, seat, hips_are, legs, side, around);
     const SeatFrame f = frame_of(seat);
     const float thigh = length(own_place(who, left_lower_leg) - own_place(who, left_upper_leg));
     const float shank = length(own_place(who, left_foot) - own_place(who, left_lower_leg));
@@ -74,10 +109,7 @@ FootAt foot_before(Someone who, const Seat& seat, HipsAt hips_are, SatLegs legs,
     const float floor = ground ? ground->height - seat.edge.y : -0.45f;
     const float lowest = hips_are.up - 0.35f * thigh;  // of a knee
     const float knee = floor + ankle + shank;
-    if (knee < lowest) {  // they hang
-        const float ahead = hips_are.ahead + 0.97f * thigh - 0.02f;
-        return {f.at(out * aside, hips_are.up - 0.22f * thigh - 0.97f * shank, ahead), yaw, 0.35f};
-    }
+    if (knee < lowest) return hanging_foot(who, f, hips_are, out * aside, yaw);
     const float drop = hips_are.up - knee;
     float ahead = hips_are.ahead + std::sqrt(std::max(thigh * thigh - drop * drop, 0.0f));
     if (legs == SatLegs::stretched) ahead += 0.5f * shank;
@@ -137,29 +169,14 @@ void set_foot(BodyPose& pose, Side side, const FootAt& foot) {
     pose.rotation[j] = pose.rotation[j + 1] = normalize(rotation_y(foot.yaw) * rotation_x(foot.down));
 }
 
-// Lowers the hips until no leg is longer than nearly straight, by so much of it: knees that come there snap.
-void keep_knees_bent(BodyPose& pose, Someone who, const FootAt (&feet)[2], float share) {
-    constexpr float k_straightest = 0.975f;
-    const auto places = places_of(pose, who.person, who.lane);
-    const float leg = length(own_place(who, left_lower_leg) - own_place(who, left_upper_leg)) +
-                      length(own_place(who, left_foot) - own_place(who, left_lower_leg));
-    float lower = 0;
-    for (const Side side : {k_left, k_right}) {
-        const Vec3 off = places[thigh_of(side)] - feet[side].ankle;
-        const float most = k_straightest * leg, flat = off.x * off.x + off.z * off.z;
-        lower = std::max(lower, off.y - std::sqrt(std::max(most * most - flat, 0.01f)));
-    }
-    pose.hips.y -= share * lower;
-}
-
 }  // namespace
 
 SatAs sat_as(uint32_t posture, const Seat& seat, bool has_robe) {
     const uint32_t trunk = posture & 15, legs = posture >> 4 & 15, hands = posture >> 8 & 15;
     SatAs how;
-    how.trunk = trunk < 8 && seat.has_back != 0 ? SatTrunk::back
-                : trunk < 13                    ? SatTrunk::upright
-                                                : SatTrunk::ahead;
+    how.trunk = trunk < 8 && has_back(seat) ? SatTrunk::back
+                : trunk < 13                ? SatTrunk::upright
+                                            : SatTrunk::ahead;
     how.legs = legs < 7    ? SatLegs::flat
                : legs < 10 ? SatLegs::apart
                : legs < 13 ? SatLegs::stretched
@@ -205,16 +222,31 @@ void set_leg(BodyPose& pose, Someone who, Side side, const FootAt& foot, Vec3 po
     set_foot(pose, side, foot);
 }
 
+void keep_knees_bent(BodyPose& pose, Someone who, const FootAt (&feet)[2], float straightest, float share) {
+    const auto places = places_of(pose, who.person, who.lane);
+    const float leg = length(own_place(who, left_lower_leg) - own_place(who, left_upper_leg)) +
+                      length(own_place(who, left_foot) - own_place(who, left_lower_leg));
+    float lower = 0;
+    for (const Side side : {k_left, k_right}) {
+        const Vec3 off = places[thigh_of(side)] - feet[side].ankle;
+        const float most = straightest * leg, flat = off.x * off.x + off.z * off.z;
+        lower = std::max(lower, off.y - std::sqrt(std::max(most * most - flat, 0.01f)));
+    }
+    pose.hips.y -= share * lower;
+}
+
 BodyPose seated_pose(Someone who, const Seat& seat, SatAs how, const Surroundings& around) {
     const SeatFrame f = frame_of(seat);
     const HipsAt at = hips_at(who, seat, how.trunk);
     BodyPose pose;
-    // The pelvis rolls back as one sits, the more the more one leans back.
-    const float pelvis = how.trunk == SatTrunk::back      ? -0.24f
-                         : how.trunk == SatTrunk::upright ? -0.1f
-                                                          : 0.18f;
+    // The pelvis rolls back as one sits, the more the more one leans back, or the higher knees are.
+    const float rolls = seat.tread > 0 ? 0.34f : 0;
+    const float pelvis = (how.trunk == SatTrunk::back      ? -0.24f
+                          : how.trunk == SatTrunk::upright ? -0.1f
+                                                           : 0.18f) -
+                         rolls;
     const float ahead = how.trunk == SatTrunk::back ? -0.13f : how.trunk == SatTrunk::upright ? 0.02f : 0.55f;
-    bend_trunk(pose, rotation_y(heading_of(seat.facing)), pelvis, ahead);
+    bend_trunk(pose, rotation_y(heading_of(seat.facing)), pelvis, ahead, how.turned);
     const Vec3 joints = lerp(own_place(who, left_upper_leg), own_place(who, right_upper_leg), 0.5f);
     pose.hips = f.at(0, at.up, at.ahead) - rotate(pose.rotation[hips], joints - own_place(who, hips));
     for (const Side side : {k_left, k_right})
@@ -226,6 +258,7 @@ BodyPose seated_pose(Someone who, const Seat& seat, SatAs how, const Surrounding
 
 BodyPose sitting_down(const BodyPose& standing, const FootAt (&stands)[2], const BodyPose& seated,
                       Someone who, float seconds) {
+    constexpr float k_straightest = 0.975f;
     constexpr float k_step = 0.45f, k_second = 0.3f;     // seconds: of a step, and until the other begins
     constexpr float k_with_feet = 0.2f, k_most = 0.72f;  // of the way of the hips; radians
     const float rest = k_sits_down - k_hips_move;
@@ -246,7 +279,7 @@ BodyPose sitting_down(const BodyPose& standing, const FootAt (&stands)[2], const
         feet[side] =
             stepped(stands[side], foot_of(seated, who, side), clamp((seconds - begins) / k_step, 0, 1));
     }
-    keep_knees_bent(pose, who, feet, bell(clamp(seconds / k_second, 0, 1)) * (1 - u));
+    keep_knees_bent(pose, who, feet, k_straightest, bell(clamp(seconds / k_second, 0, 1)) * (1 - u));
     for (const Side side : {k_left, k_right}) {
         const Vec3 pole = lerp(knee_of(standing, who, side), knee_of(seated, who, side), std::max(steps, u));
         set_leg(pose, who, side, feet[side], normalize_or(pole, {0, 0, 1}));

@@ -22,6 +22,7 @@ struct SatAs {
     SatTrunk trunk = SatTrunk::upright;
     SatLegs legs = SatLegs::flat;
     SatHands hands = SatHands::thighs;
+    float turned = 0;  // radians to the left that the chest is turned on the hips
 };
 // By 32 random bits; `sits_closed`: in a skirt, or a child whose legs hang.
 SatAs sat_as(uint32_t posture, const Seat& seat, bool has_robe);
@@ -39,6 +40,9 @@ FootAt foot_of(const BodyPose& pose, Someone who, Side side);
 
 // Hip, knee and ankle of a leg by where its foot is, the knee to the side of `pole`.
 void set_leg(BodyPose& pose, Someone who, Side side, const FootAt& foot, Vec3 pole);
+// Lowers the hips until no leg is longer than `straightest` of its length, nearly 1, by so much of it: knees
+// that come nearer to that snap.
+void keep_knees_bent(BodyPose& pose, Someone who, const FootAt (&feet)[2], float straightest, float share);
 // Unit: where the knee of a leg is off the line from hip to ankle.
 Vec3 knee_of(const BodyPose& pose, Someone who, Side side);
 

@@ -64,4 +64,39 @@ BodyPose leaning_back(const BodyPose& standing, const FootAt (&stands)[2], Someo
     return pose;
 }
 
+BodyPose leaning_out(const BodyPose& standing, const FootAt (&stands)[2], Someone who, const RailBefore& rail,
+                     uint32_t posture, float share) {
+    // Of a leg; metres from the edge, and that hips come nearer at most.
+    constexpr float k_straightest = 0.993f, k_hips_off = 0.4f, k_hips_most = 0.08f;
+    constexpr float k_leans = 0.2f, k_leans_most = 0.5f;  // radians: at least, and more as arms are long
+    constexpr float k_in = 0.07f, k_lift = 0.16f;         // metres: of palms beyond the edge, on their way
+    const float u = bell(share), height = who.person.height[who.lane];
+    const Vec3 ahead = at_height(rail.facing, 0), left{ahead.z, 0, -ahead.x};
+    BodyPose pose = standing;
+    const Quat turn = normalize(
+        nlerp(Quat{},
+              rotation_y(heading_of(rail.facing)) *
+                  conjugate(rotation_y(heading_of(on_ground(rotate(standing.rotation[hips], {0, 0, 1}))))),
+              u));
+    for (Quat& joint : pose.rotation) joint = normalize(turn * joint);
+    const float off = dot(rail.at - standing.hips, ahead);
+    pose.hips += ahead * (clamp(off - k_hips_off, 0, k_hips_most) * u);
+    keep_knees_bent(pose, who, stands, k_straightest, u);
+    lean_trunk(pose, k_leans * u);
+    const float apart = (posture % 2 == 0 ? 0.13f : 0.05f) * height;
+    Palm palms[2];
+    for (const Side side : {k_left, k_right}) {
+        const float out = side == k_left ? 1.0f : -1.0f;
+        palms[side] = {rail.at + ahead * k_in + left * (out * apart) + Vec3{0, 4 * k_lift * u * (1 - u), 0},
+                       {0, -1, 0},
+                       normalize_or(ahead - left * (0.55f * out), ahead)};
+        lean_to(pose, who, side, wrist_of(palms[side], who, side).position, u, k_leans_most);
+    }
+    for (const Side side : {k_left, k_right}) {
+        reach_for(pose, who, side, palms[side], {0.6f, -0.7f, -0.4f}, u);
+        set_leg(pose, who, side, stands[side], knee_of(standing, who, side));
+    }
+    return pose;
+}
+
 }  // namespace flaneur

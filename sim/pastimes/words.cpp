@@ -8,17 +8,27 @@ namespace flaneur {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> k_words = {"",
-                                                     "sits on a bench",
+constexpr std::array<std::string_view, 9> k_words = {"",
+                                                     "sits",
                                                      "leans at the wall",
                                                      "looks at a shop window",
                                                      "glances at a shop window",
                                                      "stands in line",
                                                      "takes a picture",
-                                                     "looks up at a house"};
-constexpr std::array<std::string_view, 8> k_coming = {
-    "", "goes to sit down",      "goes to lean at a wall",  "goes to look at a shop window",
-    "", "goes to stand in line", "stops to take a picture", "stops to look up"};
+                                                     "looks up at a house",
+                                                     "leans on a railing"};
+constexpr std::array<std::string_view, 5> k_sits = {"sits on a bench", "sits on the rim of a fountain",
+                                                    "sits on the edge of a planter", "sits on a low wall",
+                                                    "sits on the steps"};
+constexpr std::array<std::string_view, 9> k_coming = {"",
+                                                      "goes to sit down",
+                                                      "goes to lean at a wall",
+                                                      "goes to look at a shop window",
+                                                      "",
+                                                      "goes to stand in line",
+                                                      "stops to take a picture",
+                                                      "stops to look up",
+                                                      "goes to look over a railing"};
 constexpr std::array<std::string_view, 4> k_haste = {"", "strolls", "is in a hurry", "runs for the bus"};
 constexpr std::array<std::string_view, 4> k_phone = {"", "texting", "on the phone", ""};
 constexpr std::array<std::string_view, 4> k_phone_alone = {"", "texts on the way", "is on the phone", ""};
@@ -49,8 +59,8 @@ std::string told_pastime(const Pastimes& all, uint32_t walker, uint32_t tick) {
         told = k_coming[what];
     else if (what == static_cast<size_t>(Staying::queues))
         told = told_line(all, *p);
-    else if (p->what == Staying::sits && what != 0 && all.places.seats[p->place].has_back == 0)
-        told = "sits on the rim of a fountain";
+    else if (what == static_cast<size_t>(Staying::sits))
+        told = k_sits[static_cast<size_t>(all.places.seats[p->place].on)];
     else
         told = k_words[what];
     if (told.empty()) told = k_haste[static_cast<size_t>(p->haste)];

@@ -6,6 +6,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/spans.h"
+#include "sim/deeds/bend.h"
 #include "sim/fields.h"
 #include "sim/pastimes/handheld.h"
 #include "sim/pastimes/pastimes.h"
@@ -25,8 +26,7 @@ PastimePlaces places() {
     PastimePlaces all;
     for (uint32_t b = 0; b < 3; ++b)
         for (const float x : {-0.6f, 0.0f, 0.6f})
-            all.seats.push_back(
-                {k_benches[b] + Vec3{x, 0.46f, 0.21f}, {0, 1}, 0.44f, b, x == 0 ? 1u : 0u, 1});
+            all.seats.push_back({k_benches[b] + Vec3{x, 0.46f, 0.21f}, {0, 1}, 0.44f, b, x == 0 ? 1u : 0u});
     for (const float x : {-8.0f, -4.0f}) all.windows.push_back({{x, 0, 29.9f}, {0, -1}, 1.9f});
     all.services.push_back({{5, 0, 29.1f}, {0, 1}, {1, 0}, 12});
     all.sights.push_back({0, 0, 4});
@@ -249,6 +249,47 @@ TEST(Pastimes, WhoSitsIsOnTheSeatAndNobodyElseIs) {
     const double phones = static_cast<double>(seen.phone_ticks) / static_cast<double>(seen.ticks);
     EXPECT_GT(phones, 0.1);
     EXPECT_LT(phones, 0.4);
+}
+
+// Palms are on the railing, nobody has another's place, feet do not slide and eyes go out over it.
+TEST(Pastimes, WhoLooksOverARailingHasBothHandsOnIt) {
+    auto world = made({.leaning = 1}, 6, 40);
+    World& w = *world;
+    PastimePlaces all = places();
+    for (int n = -33; n <= 33; ++n) all.railings.push_back({{0.8f * static_cast<float>(n), 1, 30}, {0, 1}});
+    set_places(*w.pastimes, all, *w.navmesh, w.crowd);
+    uint32_t ticks = 0, came = 0, ahead = 0;
+    float off = 0, least_in = 1, most_in = 0, fastest = 0;
+    for (int tick = 0; tick < 7200; ++tick) {
+        step(w);
+        std::vector<uint32_t> there(all.railings.size(), 0);
+        for (const Pastime& p : w.pastimes->all) {
+            if (p.what != Staying::leans_out || p.phase == StayPhase::over) continue;
+            EXPECT_LE(++there[p.place], 1u);
+            if (p.phase == StayPhase::comes) continue;
+            fastest = std::max(fastest, fastest_leg(w, p.walker));
+            if (p.phase != StayPhase::stays) continue;
+            came += w.tick - p.began == 1, ++ticks;
+            const Someone who{w.gait.people[p.walker / k_block], static_cast<int>(p.walker % k_block)};
+            for (const Side side : {k_left, k_right}) {
+                if (side == k_right && p.phone != PhoneUse::none) continue;
+                const Vec3 palm = palm_of(body_pose_of(w.poses, p.walker), who, side).place;
+                off = std::max(off, std::fabs(palm.y - 1));
+                least_in = std::min(least_in, palm.z - 30), most_in = std::max(most_in, palm.z - 30);
+            }
+            ahead += rotate(joint_pose(w.poses, p.walker, head).rotation, {0, 0, 1}).z > 0.7f;
+        }
+    }
+    std::printf(
+        "%u leant out, for %.0f s; palms %.1f mm off the railing, %.0f to %.0f mm in; legs %.1f rad/s\n",
+        came, wide(static_cast<float>(ticks) * k_tick), wide(off * 1000), wide(least_in * 1000),
+        wide(most_in * 1000), wide(fastest));
+    EXPECT_GT(came, 3u);
+    EXPECT_LT(off, 0.01f);
+    EXPECT_GT(least_in, 0.03f);
+    EXPECT_LT(most_in, 0.12f);
+    EXPECT_LT(fastest, k_fastest_walking);
+    EXPECT_GT(ahead, ticks * 9 / 10);
 }
 
 TEST(Pastimes, WhoTextsIsSlowerAndLooksDown) {

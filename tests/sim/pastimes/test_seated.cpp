@@ -58,7 +58,7 @@ struct Sitter {
     Ground ground = square(20);
     Gait gait;
     std::vector<PoseBlock> poses;
-    Seat seat{{0, 0.46f, 0}, {0, 1}, 0.44f, 1, 0, 1};
+    Seat seat{{0, 0.46f, 0}, {0, 1}, 0.44f, 1, 0};
 
     explicit Sitter(float height) {
         index_ground(ground);
@@ -134,6 +134,71 @@ TEST(Seated, TwoWhoSitSideBySideDoNotTouch) {
             for (const Vec3 p : places) EXPECT_LT(std::fabs(p.x), 0.335f) << height;
         }
     }
+}
+
+// A flight down along +z from the edge of the seat, and its seat.
+struct Flight {
+    Ground ground;
+    Seat seat;
+
+    Flight(float rise, float tread) : seat{{0, 0, 0}, {0, 1}, tread, 1, 0, SeatOn::steps, tread} {
+        for (int k = -1; k < 6; ++k) {
+            const float z = tread * static_cast<float>(k);
+            add_floor(ground, {-3, z}, {3, z + tread}, -rise * static_cast<float>(k + 1), Surface::steps);
+        }
+        index_ground(ground);
+    }
+    float floor(Vec3 at) const {
+        const auto hit = ground_at(ground, {at.x, 0.05f, at.z}, 0, 3);
+        return hit ? hit->height : 1;
+    }
+};
+
+TEST(Seated, OnStepsFeetAreWholeOnTreadsAndNothingIsInStone) {
+    constexpr float k_leg = 0.025f;  // heights: half as thick as a shank is
+    float worst = 0, closest = 1;
+    int lowest_feet = 0;
+    for (const auto& [rise, tread] :
+         {std::pair{0.155f, 0.34f}, {0.15f, 0.3f}, {0.17f, 0.29f}, {0.12f, 0.36f}, {0.13f, 0.45f}}) {
+        const Flight flight(rise, tread);
+        for (const float height : k_heights) {
+            const Sitter one(height);
+            for (const SatAs how : ways()) {
+                if (how.trunk == SatTrunk::back) continue;  // nobody can, without a back
+                const BodyPose pose =
+                    seated_pose(one.who(), flight.seat, how, surroundings_of(flight.ground));
+                const auto places = places_of(pose, one.who().person, 0);
+                const float ankle = one.who().person.joints[left_foot][1][0];
+                for (const Side side : k_sides) {
+                    const int hip = side == k_left ? left_upper_leg : right_upper_leg;
+                    const Vec3 foot = places[hip + 2];
+                    EXPECT_NEAR(places[hip].y, seat_of(one.who()), 0.004f);
+                    const float floor = flight.floor(foot);
+                    EXPECT_NEAR(foot.y, floor + ankle, 0.005f) << height << ", " << rise;
+                    lowest_feet += floor < -1.5f * rise;
+                    // Heel and ball on the same tread.
+                    const Vec2 ahead = heading_direction(foot_of(pose, one.who(), side).yaw);
+                    for (const float along : {-0.035f, 0.085f}) {
+                        const Vec3 at = foot + at_height(ahead * (along * height), 0);
+                        EXPECT_NEAR(flight.floor(at), floor, 0.001f) << height << ", " << tread;
+                    }
+                    for (float t = 0.1f; t < 0.95f; t += 0.05f) {
+                        const Vec3 shin = lerp(places[hip + 1], foot, t);
+                        closest =
+                            std::min(closest, shin.y - flight.floor(shin + Vec3{0, 0, -k_leg * height}));
+                    }
+                }
+                worst = std::max(worst, beyond_limits(pose));
+                EXPECT_LT(beyond_limits(pose), 1.5f) << height << " " << int(how.trunk) << int(how.legs)
+                                                     << int(how.hands) << ", " << rise << " x " << tread;
+                for (const Vec3 p : places) EXPECT_LT(std::fabs(p.x), 0.335f) << height;
+            }
+        }
+    }
+    std::printf("joints beyond their range by %.2f degrees, shins over treads by %.0f mm, %d feet two down\n",
+                wide(worst), wide(closest * 1000), lowest_feet);
+    EXPECT_GT(closest, -0.005f);  // the tallest of all on the shallowest treads
+    EXPECT_GT(lowest_feet, 0);
 }
 
 TEST(Seated, SitsDownWithoutAJumpWithTheTrunkAheadAndFeetOnTheGround) {
