@@ -12,7 +12,7 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_tram = 2.4f;  // metres across (EN 15663 and BOStrab have 2.2 to 2.65)
+constexpr float k_tram = 2.4f;  // metres across; German law allows 2.65 (BOStrab)
 constexpr float k_half_bus = 1.25f, k_half_van = 0.97f, k_bus_lane = 3.05f;  // metres; of lanes with buses
 constexpr float k_between = 0.15f;                     // metres between what goes side by side
 constexpr int k_tram_rank = 100;                       // above all roads'
