@@ -13,7 +13,8 @@ namespace flaneur {
 
 struct DistrictOptions {
     uint64_t seed = 1;
-    int blocks = 4;  // blocks along each side, 1..32
+    int blocks = 4;      // blocks along each side, 1..32
+    bool trams = false;  // with two blocks or more, an avenue from edge to edge has a pair of tracks
 };
 
 // The built-in district: bent streets of several widths with 0.12 m kerbs, sidewalks and crossings, lanes for

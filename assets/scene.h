@@ -123,6 +123,7 @@ struct Scene {
     std::optional<Vec3> look;                 // of a course: where all look who can turn their heads there
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
+    bool trams = false;  // whether it has tracks
     float hour = 17.5f;  // of the day at the first tick, 0..24
     // Degrees above the horizon, and clockwise from north: where the sun stands, whatever the hour.
     std::optional<float> sun_height, sun_heading;

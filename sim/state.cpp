@@ -283,11 +283,8 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     w.linkages.previous_places = w.linkages.places;
     w.linkages.previous_targets = w.linkages.targets;
     forget_previous(w.movers);
-    for (size_t n = 0; n < w.vehicles.all.size(); ++n)
-        if (is_there(w.vehicles.all[n]))
-            w.vehicles.places[n] = place_of(w.vehicles.map->lanes, w.vehicles.all[n]);
+    find_places(w.vehicles);
     if (has_traffic(w.vehicles)) show_vehicles(w.vehicles, c);
-    w.vehicles.previous = w.vehicles.places;
     w.balls.previous_places.clear();
     for (const Ball& ball : w.balls.all) w.balls.previous_places.push_back(ball.place);
     pose_figures_anew(w.figures);

@@ -37,10 +37,13 @@ PastimeTick pastime_tick(World& w) {
     auto is_bus_near = [](const World& world, Vec3 stop) {
         constexpr float k_near = 26, k_slow = 6;  // metres, m/s
         const Vehicles& all = world.vehicles;
-        for (size_t n = 0; n < all.all.size(); ++n)
-            if (all.all[n].kind == VehicleKind::bus && is_there(all.all[n]) && all.all[n].speed < k_slow &&
-                length(on_ground(all.places[n].middle - stop)) < k_near)
+        for (uint32_t n = 0; n < all.all.size(); ++n) {
+            const Vehicle& v = all.all[n];
+            const bool takes_people = v.kind == VehicleKind::bus || v.kind == VehicleKind::tram;
+            const Vec3 at = all.places[first_section(all, n)].middle;
+            if (takes_people && is_there(v) && v.speed < k_slow && length(on_ground(at - stop)) < k_near)
                 return true;
+        }
         return false;
     };
     // All of a group that stands together, if none of it is otherwise engaged.

@@ -91,7 +91,7 @@ void settle(City& city) {
 City generate_district(const DistrictOptions& options) {
     District d;
     d.plan.cell = 12;
-    d.streets = plan_streets(options.seed, options.blocks, k_belt, d.plan.cell);
+    d.streets = plan_streets(options.seed, options.blocks, k_belt, d.plan.cell, options.trams);
     d.city.ground.name = "district";
     d.plan.low = d.streets.low;
     d.plan.high = d.streets.high;

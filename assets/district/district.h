@@ -13,6 +13,7 @@ struct District {
     City city;
     GroundPlan plan;
     StreetPlan streets;
+    std::vector<Vec2> tram_stops;
     uint32_t trims = 0;  // the first of the buildings that lend their colour to things of a Trim
 };
 
@@ -88,7 +89,7 @@ void dress_front(District& d, Dice& dice, const House& house, float foot, Vec2 a
 bool fill_row(District& d, Block& block, float depth, int storeys, bool closed);
 
 void lay_streets(District& d, uint64_t seed);
-// Where one drives: after list_obstacles().
+// Where one drives, and the rails in the street: after list_obstacles().
 void lay_lanes(District& d);
 void fill_houses(District& d, Block& block);
 void fill_villas(District& d, Block& block);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "assets/district/district.h"
+#include "assets/plan/rails.h"
 #include "assets/plan/streets.h"
 
 namespace flaneur {
@@ -12,7 +13,8 @@ namespace flaneur {
 static constexpr float k_parked = 2.1f;     // metres from the kerb
 static constexpr float k_both_park = 8;     // metres of a carriageway, above which cars park on both sides
 static constexpr float k_two_lanes = 4.9f;  // metres that two lanes take, at least
-static constexpr float k_off_edge = 4;      // metres from the map's edge to a gate
+static constexpr float k_track_width = 2.65f;
+static constexpr float k_off_edge = 4;  // metres from the map's edge to a gate
 static constexpr float k_street_speed = 30 / 3.6f, k_avenue_speed = 50 / 3.6f;  // m/s
 
 // Up to the map's edge.
@@ -32,6 +34,50 @@ static bool is_driven_back(const StreetPlan& plan, const Way& way) {
     const auto n = static_cast<uint32_t>(plan.blocks) + 1;
     const bool is_row = way.to == way.from + 1;
     return (is_row ? way.from / n : way.from % n) % 2 == (is_row ? 1 : 0);
+}
+
+// The avenue with tracks, from the western edge of the map to the eastern one.
+static std::vector<Vec2> line_of_tracks(const District& d) {
+    std::vector<Vec2> line;
+    for (const Way& way : d.streets.ways) {
+        if (!way.has_tracks) continue;
+        const std::vector<Vec2> part = way.leads_out ? within_map(d, way.line) : way.line;
+        line.insert(line.end(), part.begin(), part.end());
+    }
+    std::sort(line.begin(), line.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
+    const auto last =
+        std::unique(line.begin(), line.end(), [](Vec2 a, Vec2 b) { return length(b - a) < 0.1f; });
+    line.erase(last, line.end());
+    return line;
+}
+
+// One track a direction, in the middle of the lanes there; the avenue is straight.
+static void lay_tracks(District& d, RoadPlan& plan) {
+    const std::vector<Vec2> middle = line_of_tracks(d);
+    if (middle.empty()) return;
+    const auto avenue = std::ranges::find(d.streets.ways, true, &Way::has_tracks);
+    const float aside = (avenue->width - 2 * k_parked) / 4;
+    const Vec2 along = normalize_or(middle.back() - middle.front(), {1, 0}), right{-along.z, along.x};
+    Rails rails{d.city};
+    for (const bool is_back : {false, true}) {
+        Road track{.line = middle, .speed = k_avenue_speed, .is_track = true};
+        for (Vec2& p : track.line) p += right * (is_back ? -aside : aside);
+        if (is_back) std::reverse(track.line.begin(), track.line.end());
+        track.width = k_track_width;
+        for (const bool ends : {false, true}) {
+            (ends ? track.to : track.from) = static_cast<uint32_t>(plan.nodes.size());
+            plan.nodes.push_back({ends ? track.line.back() : track.line.front(), true});
+        }
+        constexpr float k_piece = 2;  // metres
+        const float whole = length_of(track.line);
+        auto place = [&](float s) {
+            const Vec2 p = station(track.line, s).at;
+            return at_height(p, terrain_at(d, p));
+        };
+        for (float s = 0; s + k_piece <= whole; s += k_piece) lay_rails(rails, place(s), place(s + k_piece));
+        plan.roads.push_back(std::move(track));
+    }
+    plan.tram_stops = d.tram_stops;
 }
 
 void lay_lanes(District& d) {
@@ -60,6 +106,7 @@ void lay_lanes(District& d) {
     std::vector<Vec2> stops;
     for (const Destination& place : d.city.destinations)
         if (place.kind == DestinationKind::stop) stops.push_back(on_ground(place.position));
+    lay_tracks(d, plan);
     d.city.lanes = make_lanes(plan, d.city.crossings, stops, d.city.ground.obstacles);
     settle_lanes(d.city.lanes, d.city.ground);
 }

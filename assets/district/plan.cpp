@@ -187,6 +187,16 @@ void lay_avenues(Lattice& l, int c) {
     }
 }
 
+// Trams halt about every 300 metres.
+void lay_tracks(Lattice& l) {
+    for (int i = 0; l.n > 1 && i < l.n; ++i) {
+        Way& way = l.plan.ways[l.row_ways[l.node(i, 1)]];
+        make_avenue(way);
+        way.has_tracks = true;
+        way.has_tram_stop = i % 3 == 1;
+    }
+}
+
 void make_lane(Way& way, WayKind kind, float width) {
     way.kind = kind;
     way.width = width;
@@ -247,12 +257,13 @@ void thin_out(Lattice& l, int c) {
 }
 
 // Streets that go on beyond the outermost ones, off the map.
-void lay_ways_out(Lattice& l, int c, float belt) {
+void lay_ways_out(Lattice& l, int c, float belt, bool tracks) {
     int n = l.n;
     for (int side = 0; side < 4; ++side) {
         bool was_last = false;
         for (int k = 1; k < n; ++k) {
             bool must = l.n >= 3 && ((side == 0 && k == c + 1) || (side == 2 && k == c));
+            must |= tracks && k == 1 && side % 2 == 1;
             bool drawn = l.dice.chance(0.4f);
             if (!must && (!drawn || was_last)) {
                 was_last = false;
@@ -271,6 +282,7 @@ void lay_ways_out(Lattice& l, int c, float belt) {
             if (inner != k_none && l.plan.ways[inner].carries_cars()) way = l.plan.ways[inner];
             way.kind = way.kind == WayKind::avenue ? WayKind::avenue : WayKind::street;
             way.leads_out = true;
+            way.has_tram_stop = false;
             way.from = static_cast<uint32_t>(node);
             way.to = static_cast<uint32_t>(l.plan.nodes.size());
             float reach = belt + 40;
@@ -433,7 +445,7 @@ Station station(const std::vector<Vec2>& line, float s) {
     return there;
 }
 
-StreetPlan plan_streets(uint64_t seed, int blocks, float belt, float cell) {
+StreetPlan plan_streets(uint64_t seed, int blocks, float belt, float cell, bool tracks) {
     Lattice l;
     l.n = std::clamp(blocks, 1, 32);
     l.plan.blocks = l.n;
@@ -450,6 +462,7 @@ StreetPlan plan_streets(uint64_t seed, int blocks, float belt, float cell) {
         }
     }
     lay_avenues(l, c);
+    if (tracks) lay_tracks(l);
     thin_out(l, c);
     StreetPlan& plan = l.plan;
     plan.low = plan.high = plan.nodes[0];
@@ -462,7 +475,7 @@ StreetPlan plan_streets(uint64_t seed, int blocks, float belt, float cell) {
     plan.relief.cell = cell;
     shape_terrain(l, c);
     find_blocks(l, c);
-    lay_ways_out(l, c, belt);
+    lay_ways_out(l, c, belt, tracks);
 
     plan.ways_at.resize(plan.nodes.size());
     for (uint32_t w = 0; w < plan.ways.size(); ++w) {

@@ -33,6 +33,7 @@ struct Way {
     uint32_t from = 0, to = 0;
     bool leads_out = false;
     bool has_trees = false;
+    bool has_tracks = false, has_tram_stop = false;
     float width = 8, sidewalk = 3.5f;  // the carriageway, or all of a lane; metres
     std::vector<Vec2> line;            // straight for its first and last metres
 
@@ -80,8 +81,8 @@ struct StreetPlan {
 
 // Square, park and stairs have places of their own; all else is drawn by lot. `blocks` along each
 // side, 1..32; the map goes `belt` metres beyond the outermost streets and is to be cut into cells of `cell`
-// metres.
-StreetPlan plan_streets(uint64_t seed, int blocks, float belt, float cell);
+// metres. `tracks`: the second row is an avenue with tracks, from edge to edge.
+StreetPlan plan_streets(uint64_t seed, int blocks, float belt, float cell, bool tracks);
 
 // The corners of an outline that lots can be cut by: as few as leave room for a row of houses along each
 // side.

@@ -189,14 +189,15 @@ void furnish(District& d, Dice& dice, const Way& way, Clear clear) {
             Vec2 left{here.along.z, -here.along.x};
             return std::pair{here.at + left * (side * away), left * -side};
         };
-        bool shelters = shelter_at > 0 && side > 0;
+        bool shelters = shelter_at > 0 && (side > 0 || way.has_tram_stop);
         auto is_free = [&](float s, float room) {
             return !shelters || std::fabs(s - shelter_at) > 2.2f + room;
         };
         if (shelters) {
             auto [at, in] = place(shelter_at, kerb + 1.0f);
             add_prop(d, dice, PropKind::shelter, at, heading_of(in), 2.5f);
-            add_destination(d, DestinationKind::stop, at + in * 1.2f, in, 2);
+            add_destination(d, DestinationKind::stop, at + in * 1.2f, in, way.has_tram_stop ? 5.0f : 2.0f);
+            if (way.has_tram_stop) d.tram_stops.push_back(at + in * 1.2f);
             auto [bin, bin_in] = place(shelter_at + 2.6f, kerb);
             add_prop(d, dice, PropKind::bin, bin, heading_of(bin_in), 0.95f);
         }

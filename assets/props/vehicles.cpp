@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "assets/props/bodies.h"
 #include "assets/props/shapes.h"
 
 namespace flaneur {
@@ -21,50 +22,13 @@ constexpr VehicleWheel k_bus_wheels[] = {{{1.13f, 0.48f, 3.2f}, 0.48f, true},
                                          {{-1.13f, 0.48f, 3.2f}, 0.48f, true},
                                          {{1.13f, 0.48f, -2.6f}, 0.48f, false},
                                          {{-1.13f, 0.48f, -2.6f}, 0.48f, false}};
+// Of a bogie.
+constexpr VehicleWheel k_tram_wheels[] = {{{0.71f, 0.3f, 0.9f}, 0.3f, false},
+                                          {{-0.71f, 0.3f, 0.9f}, 0.3f, false},
+                                          {{0.71f, 0.3f, -0.9f}, 0.3f, false},
+                                          {{-0.71f, 0.3f, -0.9f}, 0.3f, false}};
 constexpr VehicleWheel k_bicycle_wheels[] = {{{0, 0.34f, 0.54f}, 0.34f, true},
                                              {{0, 0.34f, -0.53f}, 0.34f, false}};
-
-// A skin round sections from the end to the front: half widths and heights of the sills, the shoulders and
-// the roof.
-struct Section {
-    float z, foot, half_foot, shoulder, half, top, half_top;
-};
-
-void add_skin(PropMesh& mesh, std::span<const Section> sections, PropPart part) {
-    std::vector<Vec3> points;
-    for (const Section& s : sections) {
-        const Vec2 half[] = {{s.half_foot, s.foot},
-                             {s.half, lerp(s.foot, s.shoulder, 0.25f)},
-                             {s.half, s.shoulder},
-                             {s.half_top + 0.04f, s.top - 0.06f},
-                             {s.half_top - 0.06f, s.top}};
-        for (const Vec2 p : half) points.push_back({-p.x, p.z, s.z});
-        for (size_t k = std::size(half); k-- > 0;) points.push_back({half[k].x, half[k].z, s.z});
-    }
-    constexpr size_t k_columns = 10;
-    add_sheet(mesh, points, k_columns, part);
-    for (const bool front : {false, true}) {
-        const Vec3* row = &points[front ? points.size() - k_columns : 0];
-        for (size_t k = 0; k + 1 < k_columns / 2; ++k) {
-            const Vec3 a = row[k], b = row[k_columns - 1 - k], c = row[k_columns - 2 - k], d = row[k + 1];
-            front ? add_quad(mesh, a, b, c, d, part) : add_quad(mesh, b, a, d, c, part);
-        }
-    }
-}
-
-// A pane or lamp on the side at half width `x`, from z0 to z1 and y0 to y1.
-void add_on_side(PropMesh& mesh, float x, float top_x, float z0, float z1, float y0, float y1,
-                 PropPart part) {
-    for (const float side : {-1.0f, 1.0f}) {
-        const Vec3 a{side * x, y0, z0}, b{side * x, y0, z1}, c{side * top_x, y1, z1}, d{side * top_x, y1, z0};
-        side > 0 ? add_quad(mesh, b, a, d, c, part) : add_quad(mesh, a, b, c, d, part);
-    }
-}
-
-void add_across(PropMesh& mesh, float x, float y0, float z0, float y1, float z1, bool front, PropPart part) {
-    const Vec3 a{-x, y0, z0}, b{x, y0, z0}, c{x * 0.96f, y1, z1}, d{-x * 0.96f, y1, z1};
-    front ? add_quad(mesh, a, b, c, d, part) : add_quad(mesh, b, a, d, c, part);
-}
 
 // The shade of arches over wheels.
 void add_arches(PropMesh& mesh, std::span<const VehicleWheel> wheels, float half_width) {
@@ -90,7 +54,7 @@ void add_lamps(PropMesh& mesh, float x, float front_y, float front_z, float back
 }
 
 void add_van(PropMesh& mesh) {
-    const Section sections[] = {
+    const BodySection sections[] = {
         {-2.65f, 0.32f, 0.88f, 1.3f, 0.93f, 2.24f, 0.84f}, {-2.58f, 0.25f, 0.92f, 1.3f, 0.97f, 2.33f, 0.88f},
         {0.95f, 0.25f, 0.93f, 1.3f, 0.97f, 2.35f, 0.88f},  {1.25f, 0.25f, 0.93f, 1.28f, 0.97f, 2.28f, 0.84f},
         {2.0f, 0.25f, 0.92f, 1.14f, 0.95f, 1.3f, 0.84f},   {2.5f, 0.25f, 0.9f, 0.95f, 0.92f, 1.1f, 0.82f},
@@ -107,11 +71,11 @@ void add_van(PropMesh& mesh) {
 }
 
 void add_bus(PropMesh& mesh) {
-    const Section sections[] = {{-5.8f, 0.4f, 1.16f, 1.2f, 1.2f, 2.9f, 1.08f},
-                                {-5.68f, 0.3f, 1.2f, 1.2f, 1.25f, 3.03f, 1.16f},
-                                {5.45f, 0.3f, 1.2f, 1.2f, 1.25f, 3.05f, 1.16f},
-                                {5.7f, 0.32f, 1.16f, 1.2f, 1.22f, 2.98f, 1.12f},
-                                {5.8f, 0.42f, 1.1f, 1.15f, 1.15f, 2.86f, 1.02f}};
+    const BodySection sections[] = {{-5.8f, 0.4f, 1.16f, 1.2f, 1.2f, 2.9f, 1.08f},
+                                    {-5.68f, 0.3f, 1.2f, 1.2f, 1.25f, 3.03f, 1.16f},
+                                    {5.45f, 0.3f, 1.2f, 1.2f, 1.25f, 3.05f, 1.16f},
+                                    {5.7f, 0.32f, 1.16f, 1.2f, 1.22f, 2.98f, 1.12f},
+                                    {5.8f, 0.42f, 1.1f, 1.15f, 1.15f, 2.86f, 1.02f}};
     add_skin(mesh, sections, PropPart::paint);
     // Panes all along, with posts between.
     for (int k = 0; k < 7; ++k) {
@@ -219,6 +183,41 @@ void add_bicycle_wheel(PropMesh& mesh, const VehicleWheel& w) {
 
 }  // namespace
 
+void add_skin(PropMesh& mesh, std::span<const BodySection> sections, PropPart part) {
+    std::vector<Vec3> points;
+    for (const BodySection& s : sections) {
+        const Vec2 half[] = {{s.half_foot, s.foot},
+                             {s.half, lerp(s.foot, s.shoulder, 0.25f)},
+                             {s.half, s.shoulder},
+                             {s.half_top + 0.04f, s.top - 0.06f},
+                             {s.half_top - 0.06f, s.top}};
+        for (const Vec2 p : half) points.push_back({-p.x, p.z, s.z});
+        for (size_t k = std::size(half); k-- > 0;) points.push_back({half[k].x, half[k].z, s.z});
+    }
+    constexpr size_t k_columns = 10;
+    add_sheet(mesh, points, k_columns, part);
+    for (const bool front : {false, true}) {
+        const Vec3* row = &points[front ? points.size() - k_columns : 0];
+        for (size_t k = 0; k + 1 < k_columns / 2; ++k) {
+            const Vec3 a = row[k], b = row[k_columns - 1 - k], c = row[k_columns - 2 - k], d = row[k + 1];
+            front ? add_quad(mesh, a, b, c, d, part) : add_quad(mesh, b, a, d, c, part);
+        }
+    }
+}
+
+void add_on_side(PropMesh& mesh, float x, float top_x, float z0, float z1, float y0, float y1,
+                 PropPart part) {
+    for (const float side : {-1.0f, 1.0f}) {
+        const Vec3 a{side * x, y0, z0}, b{side * x, y0, z1}, c{side * top_x, y1, z1}, d{side * top_x, y1, z0};
+        side > 0 ? add_quad(mesh, b, a, d, c, part) : add_quad(mesh, a, b, c, d, part);
+    }
+}
+
+void add_across(PropMesh& mesh, float x, float y0, float z0, float y1, float z1, bool front, PropPart part) {
+    const Vec3 a{-x, y0, z0}, b{x, y0, z0}, c{x * 0.96f, y1, z1}, d{-x * 0.96f, y1, z1};
+    front ? add_quad(mesh, a, b, c, d, part) : add_quad(mesh, b, a, d, c, part);
+}
+
 std::span<const VehicleWheel> wheels_of(VehicleModel model) {
     switch (model) {
         case VehicleModel::van:
@@ -227,6 +226,12 @@ std::span<const VehicleWheel> wheels_of(VehicleModel model) {
             return k_bus_wheels;
         case VehicleModel::bicycle:
             return k_bicycle_wheels;
+        case VehicleModel::tram_head:
+        case VehicleModel::tram_collector:
+        case VehicleModel::tram_tail:
+            return k_tram_wheels;
+        case VehicleModel::tram_middle:
+            return {};
         default:
             return k_car_wheels;
     }
@@ -239,6 +244,8 @@ void add_vehicle(PropMesh& mesh, VehicleModel model) {
         add_van(mesh), below = {0.9f, 2.5f};
     } else if (model == VehicleModel::bus) {
         add_bus(mesh), below = {1.15f, 5.6f};
+    } else if (is_tram(model)) {
+        add_tram(mesh, model), below = {1.1f, 3};
     } else {
         add_car_body(mesh, PropFrame(Prop{}), static_cast<size_t>(model));
         add_arches(mesh, k_car_wheels, 0.875f);
@@ -260,7 +267,7 @@ void add_cranks(PropMesh& mesh) {
 
 void add_wheel(PropMesh& mesh, VehicleModel model, const VehicleWheel& wheel) {
     if (model == VehicleModel::bicycle) return add_bicycle_wheel(mesh, wheel);
-    add_car_wheel(mesh, wheel, model == VehicleModel::bus ? 0.14f : 0.09f);
+    add_car_wheel(mesh, wheel, model == VehicleModel::bus ? 0.14f : is_tram(model) ? 0.06f : 0.09f);
 }
 
 }  // namespace flaneur

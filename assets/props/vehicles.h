@@ -7,8 +7,21 @@
 
 namespace flaneur {
 
-enum class VehicleModel : uint8_t { hatchback, saloon, estate, van, bus, bicycle };
-inline constexpr int k_vehicle_models = 6;
+// A tram's sections are models of their own: with doors, and on bogies at both ends and below the collector.
+enum class VehicleModel : uint8_t {
+    hatchback,
+    saloon,
+    estate,
+    van,
+    bus,
+    bicycle,
+    tram_head,
+    tram_middle,
+    tram_collector,
+    tram_tail
+};
+inline constexpr int k_vehicle_models = 10;
+inline bool is_tram(VehicleModel model) { return model >= VehicleModel::tram_head; }
 
 // From the middle of the ground below: x to the left, z ahead, metres.
 struct VehicleWheel {

@@ -70,6 +70,17 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return on_small_world(key, {{"pattern", "^(street|crowd|map|(eyes|map):.*)$"}});
      }},
+    {"trams", R"("trams" is of the built-in district, and "built" says another place)",
+     [](const Scene& s, const Json&) { return s.trams && s.built != BuiltIn::district; },
+     [](const char* key) {
+         return both({"built", key},
+                     {{key, {{"const", true}}}, {"built", {{"not", {{"const", "district"}}}}}});
+     }},
+    {"trams", R"("trams" is of the built-in district, and "city" another place; maps have their own)",
+     [](const Scene& s, const Json&) { return s.trams && !s.city.empty(); },
+     [](const char* key) {
+         return both({key, "city"}, {{key, {{"const", true}}}});
+     }},
     {"blocks", R"("blocks" is of the built-in district, and "built" says another place)",
      [](const Scene& s, const Json& json) { return json.contains("blocks") && s.built != BuiltIn::district; },
      [](const char* key) {

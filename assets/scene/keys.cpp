@@ -93,6 +93,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::blocks>(
             "blocks", {whole, 1, 32}, "4", "1",
             "Blocks along an edge of the built-in district, which grows where its walkers need more."),
+        plain_key<&Scene::trams>(
+            "trams", {flag}, "false", "true",
+            "Whether an avenue of the built-in district, of two blocks or more, has a pair "
+            "of tracks; where people drive, trams do there."),
         plain_key<&Scene::seed>("seed", {whole, 0, 0x1p64}, "1", "7",
                                 "Another seed makes other people, ways and, built in, another city."),
         plain_key<&Scene::walkers>("walkers", {whole, 0, k_max_walkers}, "500", "2000",
@@ -217,9 +221,9 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "How many of those who go alone are late, and run for a bus that is at their stop."),
         pastime_key<&PastimeShares::strolling>("strolling", "0.1",
                                                "How many of those who go alone have time."),
-        plain_key<&Scene::traffic>(
-            "traffic", {number, 0, 1}, "0", "0.5",
-            "How many cars, vans, buses and bicycles drive: 0 none, 0.5 as usual, 1 as in a rush hour."),
+        plain_key<&Scene::traffic>("traffic", {number, 0, 1}, "0", "0.5",
+                                   "How many cars, vans, buses, bicycles and trams drive: 0 none, 0.5 as "
+                                   "usual, 1 as in a rush hour."),
         {"idles",
          {texts},
          nullptr,

@@ -72,6 +72,7 @@ std::string scene_text(const Scene& s) {
     tell("terrain", s.terrain, !s.terrain.empty());
     tell("scale", short_number(s.scale), s.scale != usual.scale);
     tell("blocks", s.blocks, is_of(s, BuiltIn::district));
+    tell("trams", s.trams, s.trams);
     tell("seed", s.seed, s.seed != usual.seed);
     json["walkers"] = s.walkers;
     tell("creatures", s.creatures, s.creatures > 0);

@@ -30,11 +30,13 @@ struct Road {
     float parked_left = 0, parked_right = 0;  // metres beside the kerbs that those take who are parked
     float speed = 50 / 3.6f;                  // the limit, m/s
     int rank = 0;                             // who comes from one of a higher rank goes first
+    bool is_track = false;  // rails: one lane along the line itself, of trams alone, who go before all
 };
 
 struct RoadPlan {
     std::vector<RoadNode> nodes;
     std::vector<Road> roads;
+    std::vector<Vec2> tram_stops;  // on a track, or beside those that stop there
     bool drives_left = false;
 };
 
@@ -55,10 +57,11 @@ struct Lane {
     float turn = 0;             // of a curve through a junction: its angle, more than 0 to the left, radians
     uint32_t node = k_no_lane;  // of a curve: the junction that it leads through
     uint32_t is_gate_in = 0, is_gate_out = 0;  // 1: those who drive come in at its start, leave at its end
+    uint32_t is_track = 0;                     // 1: of trams alone
     uint32_t first_next = 0, next_count = 0;   // where it leads on, in Lanes::nexts
     uint32_t first_conflict = 0, conflict_count = 0;  // of a curve: those that cross it, in Lanes::conflicts
     uint32_t first_crossing = 0, crossing_count = 0;  // in Lanes::crossings, by place
-    uint32_t first_stop = 0, stop_count = 0;          // of buses, in Lanes::stops, by place
+    uint32_t first_stop = 0, stop_count = 0;          // of buses or trams, in Lanes::stops, by place
 };
 inline bool is_curve(const Lane& lane) { return lane.node != k_no_lane; }
 
@@ -74,7 +77,9 @@ inline bool has_lanes(const Lanes& lanes) { return !lanes.all.empty(); }
 
 // Lays lanes along roads and curves through their junctions. Lanes that lead nowhere, or that nobody can come
 // to, are left out, and so are those on which an obstacle stands. Buses stop where a stop is within 6 m of
-// what is wide enough for one. Heights are 0.
+// what is wide enough for one. Where a track and a lane cross, or one comes onto the other, both are cut, and
+// the pieces are curves that cannot be driven at one time; tracks that lanes come towards are left out.
+// Trams halt with their middle at a stop, if there is room. Heights are 0.
 Lanes make_lanes(const RoadPlan& plan, const Crossings& crossings, std::span<const Vec2> stops,
                  std::span<const Obstacle> obstacles);
 // Sets them onto the ground, which is indexed, within 60 m of height 0.

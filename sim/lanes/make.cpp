@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "sim/base/planar.h"
-#include "sim/lanes/lanes.h"
+#include "sim/lanes/draft.h"
 #include "sim/lanes/lines.h"
 
 namespace flaneur {
@@ -17,41 +17,14 @@ constexpr float k_car_beside = 2.05f,
 constexpr float k_sharpest = 0.15f;  // sine of the angle at which two roads part, at least
 constexpr float k_corner = 2.5f;     // metres from where kerbs would meet to where a curve begins
 constexpr float k_most_of_road = 0.42f,
-                k_most_back = 22;       // of a road's length, metres: that a junction takes
-constexpr float k_at_end = 8;           // metres before a junction within which one waits before a crossing
-constexpr float k_before_line = 1;      // metres from a crossing's stripes to where one stops
-constexpr float k_leaving = 16;         // metres after a junction within which its crossings are
-constexpr float k_room_beside = 0.95f;  // metres to each side that are free of what stands there
-
-// A lane while lanes are made.
-struct Draft {
-    std::vector<Vec2> line;
-    Lane lane;
-    std::vector<uint32_t> nexts, conflicts;
-    uint32_t from = 0, to = 0;  // nodes; of a curve the lanes that it joins
-    int place = 0, of = 1;      // counted from the kerb, of so many side by side
-    bool is_left_out = false;
-};
-
-struct Making {
-    const RoadPlan& plan;
-    std::vector<std::vector<uint32_t>> roads_at;  // by node
-    std::vector<float> back_from, back_to;        // by road: metres that junctions take at its ends
-    std::vector<Draft> drafts;
-    std::vector<std::vector<uint32_t>> into, out_of;  // by node: drafts
-};
-
-Vec2 leaves(const Road& road, uint32_t node) {
-    const std::vector<Vec2>& l = road.line;
-    const bool is_start = road.from == node;
-    const Vec2 a = is_start ? l.front() : l.back();
-    Vec2 b = a;
-    for (size_t k = 1; k < l.size() && length(b - a) < 4; ++k) b = is_start ? l[k] : l[l.size() - 1 - k];
-    return normalize_or(b - a, {1, 0});
-}
+                k_most_back = 22;   // of a road's length, metres: that a junction takes
+constexpr float k_at_end = 8;       // metres before a junction within which one waits before a crossing
+constexpr float k_before_line = 1;  // metres from a crossing's stripes to where one stops
+constexpr float k_leaving = 16;     // metres after a junction within which its crossings are
+constexpr float k_room_beside = 0.95f, k_room_beside_tracks = 1.3f;  // metres to each side that are free
 
 // How far from a junction one is clear of the other roads that meet there.
-float set_back(const Making& m, uint32_t node, uint32_t road) {
+float set_back(const LaneMaking& m, uint32_t node, uint32_t road) {
     const Vec2 mine = leaves(m.plan.roads[road], node);
     const float half = m.plan.roads[road].width / 2;
     float most = 0;
@@ -71,26 +44,7 @@ float set_back(const Making& m, uint32_t node, uint32_t road) {
     return std::min({most, k_most_back, k_most_of_road * length_along(m.plan.roads[road].line)});
 }
 
-void add_lane(Making& m, const Road& road, const std::vector<Vec2>& line, bool is_back, int place, int of,
-              float width) {
-    Draft d;
-    d.line = evenly(line);
-    if (is_back) std::reverse(d.line.begin(), d.line.end());
-    d.from = is_back ? road.to : road.from;
-    d.to = is_back ? road.from : road.to;
-    d.place = place, d.of = of;
-    d.lane.width = width;
-    d.lane.speed = road.speed;
-    d.lane.rank = road.rank;
-    d.lane.is_gate_in = m.plan.nodes[d.from].is_gate;
-    d.lane.is_gate_out = m.plan.nodes[d.to].is_gate;
-    const auto number = static_cast<uint32_t>(m.drafts.size());
-    m.out_of[d.from].push_back(number);
-    m.into[d.to].push_back(number);
-    m.drafts.push_back(std::move(d));
-}
-
-void lay_road(Making& m, uint32_t number) {
+void lay_road(LaneMaking& m, uint32_t number) {
     const Road& road = m.plan.roads[number];
     const int count = road.forward + road.backward;
     const float left = road.width / 2 - road.parked_left, right = -road.width / 2 + road.parked_right;
@@ -104,13 +58,11 @@ void lay_road(Making& m, uint32_t number) {
         const bool from_right = is_back == m.plan.drives_left;
         const float off = (static_cast<float>(k) + 0.5f) * width,
                     aside = from_right ? right + off : left - off;
-        add_lane(m, road, beside(piece_of(middle, from * scale, to * scale), aside), is_back, k, of, width);
+        add_lane(m, number, beside(piece_of(middle, from * scale, to * scale), aside), is_back, k, of, width);
     };
     for (int k = 0; k < road.forward; ++k) lay(false, k, road.forward);
     for (int k = 0; k < road.backward; ++k) lay(true, k, road.backward);
 }
-
-float angle_between(Vec2 a, Vec2 b) { return -arctan2(cross(a, b), dot(a, b)); }
 
 Vec2 end_of(const Draft& d) { return normalize_or(d.line.back() - d.line[d.line.size() - 2], {1, 0}); }
 Vec2 start_of(const Draft& d) { return normalize_or(d.line[1] - d.line[0], {1, 0}); }
@@ -125,9 +77,10 @@ bool may_turn(const Draft& in, const Draft& out, float turn, bool drives_left) {
     return out.place == std::min(in.place, out.of - 1);
 }
 
-void join(Making& m, uint32_t node) {
+void join(LaneMaking& m, uint32_t node) {
     for (const uint32_t a : m.into[node])
         for (const uint32_t b : m.out_of[node]) {
+            if (m.drafts[a].lane.is_track || m.drafts[b].lane.is_track) continue;
             const float turn = angle_between(end_of(m.drafts[a]), start_of(m.drafts[b]));
             if (!may_turn(m.drafts[a], m.drafts[b], turn, m.plan.drives_left)) continue;
             Draft d;
@@ -153,25 +106,26 @@ bool is_blocked(const Draft& d, std::span<const Obstacle> obstacles) {
         low = {std::min(low.x, p.x), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.z, p.z)};
     }
+    const float room = d.lane.is_track ? k_room_beside_tracks : k_room_beside;
     for (const Obstacle& o : obstacles) {
         const Vec2 at = on_ground(o.position);
-        const float reach = length(o.half) + k_room_beside;
+        const float reach = length(o.half) + room;
         if (at.x < low.x - reach || at.z < low.z - reach || at.x > high.x + reach || at.z > high.z + reach)
             continue;
         const Vec2 ahead = heading_direction(o.yaw), aside{ahead.z, -ahead.x};
         for (const Vec2 p : d.line) {
             const float x = std::fabs(dot(p - at, aside)) - o.half.x,
                         z = std::fabs(dot(p - at, ahead)) - o.half.z;
-            if (length(Vec2{std::max(x, 0.0f), std::max(z, 0.0f)}) < k_room_beside) return true;
+            if (length(Vec2{std::max(x, 0.0f), std::max(z, 0.0f)}) < room) return true;
         }
     }
     return false;
 }
 
 // Leaves out, again and again, what leads nowhere and what nobody comes to.
-void leave_out(Making& m, std::span<const Obstacle> obstacles) {
+void leave_out(LaneMaking& m, std::span<const Obstacle> obstacles) {
     std::vector<Draft>& all = m.drafts;
-    for (Draft& d : all) d.is_left_out = is_curve(d.lane) ? false : is_blocked(d, obstacles);
+    for (Draft& d : all) d.is_left_out |= !is_curve(d.lane) && is_blocked(d, obstacles);
     for (bool is_any = true; is_any;) {
         is_any = false;
         std::vector<uint8_t> comes(all.size(), 0);
@@ -197,16 +151,18 @@ float nearest_between(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
 }
 
 // Curves of one junction that cannot be driven at one time: that cross, touch, or end in one lane.
-void find_conflicts(Making& m) {
-    std::vector<std::vector<uint32_t>> curves(m.plan.nodes.size());
+void find_conflicts(LaneMaking& m) {
+    std::vector<std::vector<uint32_t>> curves(m.roads_at.size());
     for (uint32_t i = 0; i < m.drafts.size(); ++i)
         if (is_curve(m.drafts[i].lane) && !m.drafts[i].is_left_out)
             curves[m.drafts[i].lane.node].push_back(i);
+    for (Draft& d : m.drafts)
+        std::erase_if(d.conflicts, [&](uint32_t other) { return m.drafts[other].is_left_out; });
     for (const std::vector<uint32_t>& here : curves)
         for (const uint32_t a : here)
             for (const uint32_t b : here) {
                 Draft &x = m.drafts[a], &y = m.drafts[b];
-                if (b <= a || x.from == y.from) continue;
+                if (b <= a || x.from == y.from || x.lane.is_track != y.lane.is_track) continue;
                 const float beside =
                     clamp(std::max(x.lane.width, y.lane.width) - 0.1f, k_car_beside, k_bus_beside);
                 if (x.to != y.to && nearest_between(x.line, y.line) > beside) continue;
@@ -267,7 +223,7 @@ float stop_of(const Lane& lane, std::span<const LaneCrossing> crossings) {
     return std::max(at, 0.5f);
 }
 
-Lanes finished(const Making& m, const Crossings& crossings, std::span<const Vec2> stops) {
+Lanes finished(const LaneMaking& m, const Crossings& crossings, std::span<const Vec2> stops) {
     Lanes lanes;
     lanes.drives_left = m.plan.drives_left;
     std::vector<uint32_t> number(m.drafts.size(), k_no_lane);
@@ -287,14 +243,14 @@ Lanes finished(const Making& m, const Crossings& crossings, std::span<const Vec2
         lane.first_conflict = size(lanes.conflicts), lane.conflict_count = size(d.conflicts);
         for (const uint32_t other : d.conflicts) lanes.conflicts.push_back(number[other]);
         lane.first_crossing = size(lanes.crossings), lane.first_stop = size(lanes.stops);
-        Draft measured{d.line, lane, {}, {}};
+        const Draft measured{.line = d.line, .lane = lane};
         const bool is_road = !is_curve(lane);
         find_crossings(measured, crossings, is_road && m.roads_at[d.from].size() > 2,
                        is_road && m.roads_at[d.from].size() > 1, lanes.crossings);
-        find_stops(measured, stops, lanes.stops);
         lane.crossing_count = size(lanes.crossings) - lane.first_crossing;
-        lane.stop_count = size(lanes.stops) - lane.first_stop;
         lane.stop = stop_of(lane, crossings_of(lanes, lane));
+        lane.is_track ? find_halts(m, d, lane.stop, lanes.stops) : find_stops(measured, stops, lanes.stops);
+        lane.stop_count = size(lanes.stops) - lane.first_stop;
         lanes.all[number[i]] = lane;
     }
     return lanes;
@@ -302,9 +258,41 @@ Lanes finished(const Making& m, const Crossings& crossings, std::span<const Vec2
 
 }  // namespace
 
+Vec2 leaves(const Road& road, uint32_t node) {
+    const std::vector<Vec2>& l = road.line;
+    const bool is_start = road.from == node;
+    const Vec2 a = is_start ? l.front() : l.back();
+    Vec2 b = a;
+    for (size_t k = 1; k < l.size() && length(b - a) < 4; ++k) b = is_start ? l[k] : l[l.size() - 1 - k];
+    return normalize_or(b - a, {1, 0});
+}
+
+float angle_between(Vec2 a, Vec2 b) { return -arctan2(cross(a, b), dot(a, b)); }
+
+void add_lane(LaneMaking& m, uint32_t number, const std::vector<Vec2>& line, bool is_back, int place, int of,
+              float width) {
+    const Road& road = m.plan.roads[number];
+    Draft d;
+    d.line = evenly(line);
+    if (is_back) std::reverse(d.line.begin(), d.line.end());
+    d.from = is_back ? road.to : road.from;
+    d.to = is_back ? road.from : road.to;
+    d.place = place, d.of = of;
+    d.road = number;
+    d.lane.width = width;
+    d.lane.speed = road.speed;
+    d.lane.rank = road.rank;
+    d.lane.is_gate_in = m.plan.nodes[d.from].is_gate;
+    d.lane.is_gate_out = m.plan.nodes[d.to].is_gate;
+    const auto draft = static_cast<uint32_t>(m.drafts.size());
+    m.out_of[d.from].push_back(draft);
+    m.into[d.to].push_back(draft);
+    m.drafts.push_back(std::move(d));
+}
+
 Lanes make_lanes(const RoadPlan& plan, const Crossings& crossings, std::span<const Vec2> stops,
                  std::span<const Obstacle> obstacles) {
-    Making m{plan, {}, {}, {}, {}, {}, {}};
+    LaneMaking m{plan, {}, {}, {}, {}, {}, {}};
     m.roads_at.resize(plan.nodes.size());
     m.into.resize(plan.nodes.size());
     m.out_of.resize(plan.nodes.size());
@@ -314,8 +302,10 @@ Lanes make_lanes(const RoadPlan& plan, const Crossings& crossings, std::span<con
         m.back_from.push_back(set_back(m, plan.roads[r].from, r));
         m.back_to.push_back(set_back(m, plan.roads[r].to, r));
     }
-    for (uint32_t r = 0; r < plan.roads.size(); ++r) lay_road(m, r);
-    for (uint32_t node = 0; node < plan.nodes.size(); ++node) join(m, node);
+    for (uint32_t r = 0; r < plan.roads.size(); ++r)
+        plan.roads[r].is_track ? lay_track(m, r) : lay_road(m, r);
+    for (uint32_t node = 0; node < plan.nodes.size(); ++node) join(m, node), join_tracks(m, node);
+    cut_at_tracks(m);
     leave_out(m, obstacles);
     find_conflicts(m);
     return finished(m, crossings, stops);

@@ -1,6 +1,7 @@
 // Streets, steps, bridges, walls and places of mapped cities.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -51,6 +52,50 @@ NavmeshPtr mesh_of(const City& city) {
     Result<NavmeshPtr> mesh = build_navmesh(city.ground, {}, 1);
     EXPECT_TRUE(mesh) << mesh.error().message;
     return mesh ? std::move(*mesh) : nullptr;
+}
+
+// The tracks of a drawing of 400 by 400 metres, and all its lanes.
+Lanes lanes_of(Drawing drawing) {
+    Result<OsmMap> map = parse_osm(osm_of(drawing), "osm");
+    EXPECT_TRUE(map) << map.error().message;
+    OsmImport in{*map, projection_about(0, 0), {}, {}, {}};
+    in.plan.low = {-200, -200};
+    in.plan.high = {200, 200};
+    add_osm_lanes(in);
+    return std::move(in.city.lanes);
+}
+
+TEST(OsmStreets, TramsHaveLanesOnTheirTracks) {
+    // Two tracks side by side, in pieces that were drawn this way and that, are driven on the right; what is
+    // said is believed; and where a street crosses them both have a junction.
+    for (const bool says : {false, true}) {
+        Drawing d;
+        d.way(std::vector<Vec2>{{-260, 0}, {-90, 0}, {260, 0}},
+              tag("highway", "secondary") + tag("width", "11"));
+        const std::string track = tag("railway", "tram"), one_way = says ? tag("oneway", "yes") : "";
+        const int joint = d.node(20, 61.6f);
+        d.way({d.node(-260, 61.6f), joint}, track + one_way);
+        d.way({joint, d.node(260, 61.6f)}, track + one_way);
+        d.way(std::vector<Vec2>{{260, 58.4f}, {90, 58.4f}, {-260, 58.4f}}, track + one_way);
+        d.way(std::vector<Vec2>{{40, -260}, {40, -90}, {40, 260}},
+              tag("highway", "residential") + tag("width", "8"));
+        d.way(std::vector<Vec2>{{-260, -80}, {-90, -80}, {260, -80}}, track + tag("tunnel", "yes"));
+        d.node(-50, 61.6f, tag("railway", "tram_stop"));
+        const Lanes lanes = lanes_of(d);
+        uint32_t tracks = 0, stops = 0, junctions = 0;
+        for (uint32_t i = 0; i < lanes.all.size(); ++i) {
+            const Lane& lane = lanes.all[i];
+            if (!lane.is_track) continue;
+            const OnLane middle = on_lane(lanes, i, lane.length / 2);
+            EXPECT_NEAR(std::fabs(middle.at.z - 60), 1.6f, 0.05f);
+            EXPECT_EQ(middle.along.x > 0, middle.at.z > 60);
+            tracks += !is_curve(lane), junctions += is_curve(lane), stops += lane.stop_count;
+            EXPECT_EQ(lane.conflict_count, is_curve(lane) ? 2u : 0u);
+        }
+        EXPECT_EQ(tracks, 4u);
+        EXPECT_EQ(junctions, 2u);
+        EXPECT_EQ(stops, 1u);
+    }
 }
 
 TEST(OsmStreets, RisersAreWalkable) {

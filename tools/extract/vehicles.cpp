@@ -26,8 +26,8 @@ constexpr uint32_t k_paints[] = {rgb(0xd4d3cf), rgb(0xa9adb0), rgb(0x6c7074), rg
                                  rgb(0x2f4166), rgb(0x7a2a30), rgb(0x56614f), rgb(0xb3a68c), rgb(0x3b4650)};
 constexpr uint32_t k_van_paints[] = {rgb(0xd9d7d1), rgb(0xc9c9c6), rgb(0xd4d3cf), rgb(0x9fa6ad),
                                      rgb(0xc8b24a)};
-constexpr uint32_t k_bus_paint = rgb(0xb23a30), k_brakes = rgb(0xff2d1c), k_drives = rgb(0x7d201b),
-                   k_lamps = rgb(0xf5efdf);
+constexpr uint32_t k_bus_paint = rgb(0xb23a30), k_tram_paint = rgb(0xd9ab2e), k_brakes = rgb(0xff2d1c),
+                   k_drives = rgb(0x7d201b), k_lamps = rgb(0xf5efdf);
 
 uint32_t colour_of(PropPart part) {
     switch (part) {
@@ -68,7 +68,12 @@ void add(PersonMesh& mesh, const PropMesh& from, uint8_t joint) {
     for (const uint32_t index : from.indices) mesh.lods[0].push_back(first + index);
 }
 
-VehicleModel model_of(const Vehicle& v, uint32_t number) {
+VehicleModel model_of(const Vehicle& v, uint32_t number, uint32_t section) {
+    if (v.kind == VehicleKind::tram)
+        return section == 0                         ? VehicleModel::tram_head
+               : section + 1 == k_tram_sections     ? VehicleModel::tram_tail
+               : 2 * section + 1 == k_tram_sections ? VehicleModel::tram_collector
+                                                    : VehicleModel::tram_middle;
     if (v.kind != VehicleKind::car)
         return static_cast<VehicleModel>(static_cast<int>(VehicleModel::van) + static_cast<int>(v.kind) - 1);
     return static_cast<VehicleModel>(random_bits({1, number, 0, Purpose::colour}) % 3);
@@ -77,6 +82,7 @@ VehicleModel model_of(const Vehicle& v, uint32_t number) {
 uint32_t paint_of(const Vehicle& v, uint32_t number) {
     const uint64_t lot = random_bits({2, number, 0, Purpose::colour});
     if (v.kind == VehicleKind::bus) return k_bus_paint;
+    if (v.kind == VehicleKind::tram) return k_tram_paint;
     if (v.kind == VehicleKind::van) return k_van_paints[lot % std::size(k_van_paints)];
     return k_paints[lot % std::size(k_paints)];
 }
@@ -123,12 +129,13 @@ struct Drawn {
     bool on_left = false;
 };
 
-Drawn drawn(const Vehicles& vehicles, uint32_t n, float between) {
+Drawn drawn(const Vehicles& vehicles, uint32_t n, uint32_t section, float between) {
     const Vehicle& v = vehicles.all[n];
-    Drawn d{place_between(vehicles.previous[n], vehicles.places[n], between), {}};
+    const uint32_t at = first_section(vehicles, n) + section;
+    Drawn d{place_between(vehicles.previous[at], vehicles.places[at], between), {}};
     d.turn = rotation_y(d.at.heading) * rotation_x(-d.at.pitch);
     if (v.kind != VehicleKind::bicycle) return d;
-    const float speed = length(vehicles.places[n].middle - vehicles.previous[n].middle) * 60;
+    const float speed = length(vehicles.places[at].middle - vehicles.previous[at].middle) * 60;
     d.stands = 1 - smoothstep(0, k_foot_down, speed);
     d.on_left = vehicles.map->lanes.drives_left;
     d.crank = wrap_angle(d.at.rolled * (2 * k_pi / k_metres_a_turn));
@@ -188,16 +195,16 @@ void add_vehicles(const World& world, const std::vector<Character>& characters, 
                   PeopleFrame& frame, float between) {
     const Vehicles& vehicles = world.vehicles;
     const auto first_id = static_cast<uint32_t>(world.movers.all.size() + world.balls.all.size());
-    for (uint32_t n = 0; n < vehicles.all.size(); ++n) {
-        const Vehicle& v = vehicles.all[n];
-        if (!is_there(v)) continue;
-        const Drawn d = drawn(vehicles, n, between);
+    auto add = [&](const Vehicle& v, uint32_t n, uint32_t section) {
+        const Drawn d = drawn(vehicles, n, section, between);
+        if (d.at.presence <= 0) return;
         const VehicleShape& shape = k_vehicle_shapes[static_cast<size_t>(v.kind)];
-        const VehicleModel model = model_of(v, n);
+        const VehicleModel model = model_of(v, n, section);
+        const float length_of_one = shape.length / static_cast<float>(shape.sections);
         WalkerDraw draw =
             thing_to_draw(frame, first_mesh + static_cast<uint32_t>(model),
                           id_of(IdKind::mover, first_id + n), d.at.middle + Vec3{0, shape.height / 2, 0},
-                          0.5f * length(Vec3{shape.width + 0.4f, shape.height, shape.length}));
+                          0.5f * length(Vec3{shape.width + 0.4f, shape.height, length_of_one}));
         draw.presence = static_cast<uint8_t>(d.at.presence * 255);
         const bool brakes = v.speed < 0.1f || v.acceleration < -0.6f;
         draw.instance.tints[body_paint] = paint_of(v, n);
@@ -206,7 +213,10 @@ void add_vehicles(const World& world, const std::vector<Character>& characters, 
         add_rigid(frame, draw, transform_of(d.at.middle, d.turn));
         add_joints(d, model, frame.palette.data() + draw.instance.palette);
         if (v.kind == VehicleKind::bicycle) add_rider(world, characters, d, n, draw, frame);
-    }
+    };
+    for (uint32_t n = 0; n < vehicles.all.size(); ++n)
+        for (uint32_t s = 0; is_there(vehicles.all[n]) && s < sections_of(vehicles.all[n]); ++s)
+            add(vehicles.all[n], n, s);
 }
 
 }  // namespace flaneur

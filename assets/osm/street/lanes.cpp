@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "assets/osm/map.h"
+#include "assets/osm/street/laying.h"
 #include "assets/place.h"
 
 namespace flaneur {
@@ -69,14 +68,6 @@ void count_lanes(const OsmTags& tags, Road& road) {
     if (most < 2) road.forward = road.backward = 0;  // nobody gets past another there
 }
 
-struct Laying {
-    const OsmImport& in;
-    Vec2 low, high;
-    std::map<int64_t, uint32_t> uses;   // by node of the map, how often carriageways come to it
-    std::map<int64_t, uint32_t> nodes;  // those that are nodes of the plan
-    RoadPlan plan;
-};
-
 bool is_inside(const Laying& l, Vec2 p) {
     return p.x > l.low.x && p.z > l.low.z && p.x < l.high.x && p.z < l.high.z;
 }
@@ -101,13 +92,18 @@ Vec2 leaves_map(const Laying& l, Vec2 inside, Vec2 outside) {
     return inside;
 }
 
-void lay(Laying& l, const OsmWay& way, const OsmHighway& highway, const Class& sort) {
+Road like_road(const OsmWay& way, const OsmHighway& highway, const Class& sort) {
     Road like;
     like.width = highway.width;
     like.speed = speed_of(way.tags, sort);
     like.rank = sort.rank;
     count_lanes(way.tags, like);
-    if (like.forward + like.backward == 0) return;
+    return like;
+}
+
+}  // namespace
+
+void lay_along(Laying& l, const OsmWay& way, const Road& like) {
     std::optional<uint32_t> from;
     Road road = like;
     Vec2 last;
@@ -158,8 +154,6 @@ void open_ends(Laying& l) {
     }
 }
 
-}  // namespace
-
 void add_osm_lanes(OsmImport& in) {
     const Vec2 inside{k_inside + 6, k_inside + 6};
     Laying l{in, in.plan.low + inside, in.plan.high - inside, {}, {}, {}};
@@ -177,9 +171,12 @@ void add_osm_lanes(OsmImport& in) {
         for (const int64_t id : way.nodes) ++l.uses[id];
         ++l.uses[way.nodes.front()], ++l.uses[way.nodes.back()];
     });
-    each(
-        [&](const OsmWay& way, const OsmHighway& highway, const Class& sort) { lay(l, way, highway, sort); });
+    each([&](const OsmWay& way, const OsmHighway& highway, const Class& sort) {
+        const Road like = like_road(way, highway, sort);
+        if (like.forward + like.backward > 0) lay_along(l, way, like);
+    });
     open_ends(l);
+    add_tram_tracks(l);
     std::vector<Vec2> stops;
     for (const Destination& place : in.city.destinations)
         if (place.kind == DestinationKind::stop) stops.push_back(on_ground(place.position));

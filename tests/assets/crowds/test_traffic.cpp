@@ -45,6 +45,29 @@ TEST(CityTraffic, HitsNobodyAndGetsOnInTheDistrict) {
     }
 }
 
+TEST(CityTraffic, TramsHitNobodyAndGetOnInTheDistrict) {
+    const City plain = generate_district({1, 3}), city = generate_district({1, 3, true});
+    EXPECT_TRUE(plain.grooves.empty());
+    EXPECT_FALSE(city.grooves.empty());
+    uint32_t stops = 0, gates = 0;
+    for (const Lane& lane : city.lanes.all)
+        if (lane.is_track) stops += lane.stop_count, gates += lane.is_gate_in;
+    EXPECT_EQ(stops, 2u);
+    EXPECT_EQ(gates, 2u);
+    const auto world = peopled(City(city), true, 1, 1, 300);
+    World& w = *world;
+    const uint32_t first = w.vehicles.first_tram;
+    ASSERT_LT(first, w.vehicles.all.size());
+    const TrafficTally seen = watch_traffic(w, 4 * 60 * 60);
+    print("district with trams", seen);
+    expect_sound(seen);
+    expect_at_most("seconds that somebody who drives stands in the district with trams", seen.longest_stood,
+                   120, 240);
+    EXPECT_GT(seen.mean_speed, 1.5f);
+    for (uint32_t n = first; n < w.vehicles.all.size(); ++n)
+        EXPECT_GT(w.vehicles.all[n].turns, 12u) << "tram " << n << " got nowhere";
+}
+
 TEST(CityTraffic, HitsNobodyOnTheQuayside) {
     const auto world = peopled(build_quayside(1), true, 2, 1, 150);
     const TrafficTally seen = watch_traffic(*world, 4 * 60 * 60);

@@ -61,12 +61,12 @@ inline TrafficTally watch_traffic(World& w, uint32_t ticks) {
     for (uint32_t t = 0; t < ticks; ++t) {
         const std::vector<Vehicle> before = vs.all;
         step(w);
-        const std::vector<VehicleBox>& boxes = w.crowd.roadway.boxes;
-        for (const VehicleBox& box : boxes) {
-            seen.into_people = std::max(seen.into_people, deepest_in(w.crowd, box));
-            for (const VehicleBox& other : boxes)
-                if (&other < &box)
-                    seen.into_vehicles = std::max(seen.into_vehicles, boxes_overlap(box, other));
+        const Roadway& r = w.crowd.roadway;
+        for (size_t a = 0; a < r.boxes.size(); ++a) {
+            seen.into_people = std::max(seen.into_people, deepest_in(w.crowd, r.boxes[a]));
+            for (size_t b = 0; b < a; ++b)
+                if (r.numbers[a] != r.numbers[b])
+                    seen.into_vehicles = std::max(seen.into_vehicles, boxes_overlap(r.boxes[a], r.boxes[b]));
         }
         for (size_t n = 0; n < vs.all.size(); ++n) {
             const Vehicle& v = vs.all[n];
@@ -79,7 +79,8 @@ inline TrafficTally watch_traffic(World& w, uint32_t ticks) {
                     std::max(seen.longest_stood, static_cast<float>(w.tick - v.stood_since) * k_tick);
             if (!is_there(before[n])) continue;
             seen.hardest = std::max(seen.hardest, -v.acceleration * (v.speed > 0.2f ? 1 : 0));
-            seen.jump = std::max(seen.jump, length(vs.places[n].middle - vs.previous[n].middle));
+            const uint32_t section = first_section(vs, static_cast<uint32_t>(n));
+            seen.jump = std::max(seen.jump, length(vs.places[section].middle - vs.previous[section].middle));
             seen.on_red += passes_red(w, before[n], v);
         }
     }

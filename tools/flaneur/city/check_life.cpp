@@ -148,7 +148,8 @@ void look_at_vehicles(const World& w, LifeTally& t) {
     }
     for (uint32_t a = 0; a < r.boxes.size(); ++a)
         for_boxes_near(r, r.boxes[a].middle, r.boxes[a].half_length, [&](uint32_t b) {
-            if (b <= a || std::fabs(r.boxes[a].y - r.boxes[b].y) > k_level) return;
+            if (b <= a || r.numbers[a] == r.numbers[b]) return;
+            if (std::fabs(r.boxes[a].y - r.boxes[b].y) > k_level) return;
             t.crashes += overlap(r.boxes[a], r.boxes[b], 0);
         });
 }

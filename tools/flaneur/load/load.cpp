@@ -233,8 +233,9 @@ Result<City> read_bare_city(const Scene& scene) {
     if (is_of(scene, BuiltIn::quayside)) return build_quayside(scene.seed);
     if (is_of(scene, BuiltIn::yard)) return build_yard(scene.seed);
     if (is_of(scene, BuiltIn::course)) return build_course(scene.seed, scene.flat);
-    Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
-                                           : load_city(scene.city, city_options(scene));
+    Result<City> city = scene.city.empty()
+                            ? generate_district({scene.seed, district_blocks(scene), scene.trams})
+                            : load_city(scene.city, city_options(scene));
     if (is_stopping()) return interrupted();
     if (city) print_notes(scene.city.empty() ? scene.name : scene.city, city->notes);
     return city;

@@ -37,7 +37,7 @@ void add_lanes(const OverlayInput& input, Overlay& overlay) {
     pen.pixels = 4;
     for (uint32_t n = 0; n < vehicles.all.size(); ++n) {
         const Vehicle& v = vehicles.all[n];
-        if (!is_there(v) || !is_near(vehicles.places[n].middle)) continue;
+        if (!is_there(v) || !is_near(vehicles.places[first_section(vehicles, n)].middle)) continue;
         pen.colour = k_brake_colours[static_cast<size_t>(v.brakes)];
         const float far = v.brakes == Brakes::no ? 2 : 2 + v.speed * v.speed / 3;
         for (float at = 0; at < far; at += 1) {
