@@ -190,15 +190,15 @@ static WayWish stagger(const Goer& g, float seconds) {
     return {way * who.speed, false};
 }
 
-// As fast as brings one there who is so far from a place that moves on, or stands. Who has `stood` at such a
-// place does not step back to it for every little that others moved it.
-static Vec2 wish_to_spot(const Fellow& f, Vec2 to, bool stood) {
+// As fast as brings one there who is so far from a place that moves on, or stands. Near one of these it will
+// do where one `stands`: one does not step back for every little that others moved one, nor press into them.
+static Vec2 wish_to_spot(const Fellow& f, Vec2 to, bool stands) {
     constexpr float k_catches_up_in = 1.1f, k_slows = 1.6f;                  // seconds; 1/s
     constexpr float k_there = 0.1f, k_near_it = 0.28f, k_turns_back = 1.8f;  // metres
     constexpr float k_least = 0.2f;  // of the speed, of one who is too far ahead
     const float drift = length(f.drift), far = length(to);
     if (drift < k_least_going)
-        return far < (stood ? k_near_it : k_there) ? Vec2{} : to * (std::min(f.most, k_slows * far) / far);
+        return far < (stands ? k_near_it : k_there) ? Vec2{} : to * (std::min(f.most, k_slows * far) / far);
     Vec2 wish = f.drift + to / k_catches_up_in;
     const Vec2 way = f.drift / drift;
     if (far < k_turns_back) wish += way * std::max(k_least * drift - dot(wish, way), 0.0f);
@@ -218,7 +218,9 @@ static WayWish along(const Goer& g) {
     if (std::fabs(there.y - g.at().y) < k_other_level && is_clear_to(g, f.spot)) {
         j.corner = j.corner_count = 0;
         j.path_due = PathDue::no;
-        const Vec2 wish = wish_to_spot(f, to, g.c.decision.looks[g.i] != 0);
+        constexpr float k_slow = 0.1f;  // m/s
+        const bool stands = g.c.decision.looks[g.i] != 0 || length(g.c.motion.velocity[g.i]) < k_slow;
+        const Vec2 wish = wish_to_spot(f, to, stands);
         g.c.decision.looks[g.i] = wish == Vec2{} && f.facing != Vec2{};
         return {wish, false};
     }

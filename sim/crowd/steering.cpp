@@ -312,15 +312,16 @@ static Vec2 shuffled(Vec2 v, Vec2 course, bool is_thronged) {
     return v * (k_shuffle / speed);
 }
 
-// Whoever hardly gets on stands rather than rock to and fro, nor does one who wants to stand set off for next
-// to nothing.
-static Vec2 settled(Vec2 v, Vec2 velocity, Vec2 wanted) {
-    const float speed = length(v);
-    if (speed > k_rocks) return v;
+// Whoever hardly gets on stands rather than rock to and fro or back off from where it wants to go, nor does
+// one who wants to stand set off for next to nothing: but to make way for who has a claim.
+static Vec2 settled(Vec2 v, Vec2 velocity, Vec2 wanted, bool makes_way) {
+    const float speed = length(v), wants = length(wanted);
+    if (speed > k_rocks || makes_way) return v;
     const bool stands = length(velocity) < k_stands;
     const bool turns_back = !stands && dot(v, velocity) < 0;
-    const bool sets_off = stands && length(wanted) < k_rocks && speed < k_least;
-    return turns_back || sets_off ? Vec2{} : v;
+    const bool sets_off = stands && wants < k_rocks && speed < k_least;
+    const bool backs_off = wants > k_rocks && dot(v, wanted) < 0;
+    return turns_back || sets_off || backs_off ? Vec2{} : v;
 }
 
 // One in a throng has no eyes for those who come the other way but over others' heads. It makes room for them
@@ -353,7 +354,7 @@ static float side_to_make_room(const CrowdScratch& s, const Deciders& d, int lan
 // as others let one would end in such a corner.
 static Vec2 round_who_stands(const Crowd& c, const Navmesh& mesh, int thread, const Deciders& d, int lane,
                              Vec2 wanted) {
-    constexpr float k_held = 0.25f, k_goes = 0.5f, k_before = 0.8f, k_in_front = 0.5f,
+    constexpr float k_held = 0.1f, k_goes = 0.5f, k_before = 0.8f, k_in_front = 0.5f,
                     k_aside = 0.7f;            // m/s; metres; cosine
     constexpr float k_turn = 75 * k_pi / 180;  // radians
     const Seen& me = c.scratch.seen.all[d.at[lane]];
@@ -414,7 +415,13 @@ static void decide(Crowd& c, const Navmesh& mesh, int thread, Deciders& d) {
         const Seen& me = rows.all[d.at[lane]];
         const Vec2 chosen{d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
         const Vec2 goes = shuffled(chosen, me.course, is_thronged[lane]);
-        c.decision.chosen[me.id] = settled(goes, c.motion.velocity[me.id], c.decision.wanted[me.id]);
+        // Who staggers does not stand as others do, and keeps off edges that the mesh does not know.
+        const Wayfarer* way = c.wayfarers.empty() ? nullptr : own_of(c.wayfarers, me.id);
+        const bool staggers = way && way->kind == Wayfarer::Kind::stagger;
+        c.decision.chosen[me.id] = staggers
+                                       ? goes
+                                       : settled(goes, c.motion.velocity[me.id], c.decision.wanted[me.id],
+                                                 c.decision.claim[me.id].heirs > 0);
     }
 }
 

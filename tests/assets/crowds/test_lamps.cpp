@@ -65,12 +65,12 @@ TEST(CityLamps, NobodyIsHeldUpOnTheQuaysideAndCreaturesCrossOnGreen) {
         auto made = make_world(std::shared_ptr<const Ground>(city, &city->ground), options);
         ASSERT_TRUE(made) << made.error().message;
         World& w = **made;
-        ASSERT_TRUE(set_loose(w, 2));
+        ASSERT_TRUE(set_loose(w, 6));
         const Crossing& crossing = city->crossings.all[0];
         // Of those on it: what its lamp showed as they came off the kerb, and whether they are told already.
         std::vector<Light> entered(w.crowd.count, Light::green);
         std::vector<uint8_t> was_on(w.crowd.count, 1), told(w.crowd.count, 1);
-        for (uint32_t tick = 0; tick < 120 * 60; ++tick) {
+        for (uint32_t tick = 0; tick < 180 * 60; ++tick) {
             const Light light = lamp_at(city->crossings.plans[crossing.plan], w.tick).light;
             step(w);
             ASSERT_LE(deepest_overlap(w.crowd), k_most_overlap + 1e-3f);
