@@ -256,6 +256,23 @@ static WayWish wish_of(const Goer& g) {
     return stagger(g, g.seconds());
 }
 
+// Who goes by no path has nothing to be held up on, but those who would catch up and stand before others:
+// they get a claim as well, or two who come towards each other would stand there for good.
+static void insist(Crowd& c, uint32_t i, Vec2 wanted, bool goes_along, uint32_t tick) {
+    constexpr float k_goes = 0.5f, k_slow = 0.2f;       // m/s
+    constexpr uint32_t k_patience = 90, k_most = 1200;  // ticks
+    Journey& j = c.journeys[i];
+    const bool is_held = goes_along && length(wanted) > k_goes && length(c.motion.velocity[i]) < k_slow;
+    const uint32_t since = tick - j.closest_tick;
+    if (!is_held || since > k_most) {
+        j.closest_tick = tick;
+        j.insists_since = k_never;
+    } else if (since > k_patience && j.insists_since == k_never) {
+        j.insists_since = tick;
+        j.insists_from = on_ground(c.motion.position[i]);
+    }
+}
+
 WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
     Wayfarer* way = own_of(c.wayfarers, i);
     if (!way) return {};
@@ -263,8 +280,7 @@ WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint3
     const WalkerId whom = g.way.whom;
     const bool is_by_whom = g.way.kind <= Wayfarer::Kind::flee, is_gone = is_by_whom && !is_there(c, whom);
     const WayWish wish = is_gone ? WayWish{} : wish_of(g);
-    // Who goes by no path has nothing to be held up on.
-    if (!wish.is_by_path) c.journeys[i].closest_tick = tick, c.journeys[i].insists_since = k_never;
+    if (!wish.is_by_path) insist(c, i, wish.wanted, way->kind == Wayfarer::Kind::along, tick);
     return wish;
 }
 
