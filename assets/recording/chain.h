@@ -1,6 +1,9 @@
 // A tree of bones as encoder and decoder go through it. Private to assets/recording.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "assets/recording/motion.h"
 #include "assets/recording/waves.h"
 
@@ -16,9 +19,43 @@ inline float step_of(int index) {
     return k_quarters[index % 4] / static_cast<float>(1 << index / 4);
 }
 
+// The mean of a curve of which the first wave is so many steps, and back.
+inline float mean_of(int steps, int step, int samples) {
+    return static_cast<float>(steps) * step_of(step) / std::sqrt(static_cast<float>(samples));
+}
+inline int steps_to(float mean, int step, int samples) {
+    const float steps = mean * std::sqrt(static_cast<float>(samples)) / step_of(step);
+    return static_cast<int>(std::lround(clamp(steps, -1e6f, 1e6f)));
+}
+
+inline constexpr uint32_t k_no_key = ~0u;
+
+// Appends somebody whose steps and means follow those of all before, and these of some of them.
+inline void add_one(MotionMeans& to, const RecordedMover& mover, size_t joints) {
+    const size_t begin = to.ones.empty() ? 0 : to.ones.back().begin + to.ones.back().joints + 1;
+    to.ones.push_back({mover.id, static_cast<uint32_t>(joints), begin});
+}
+inline void add_means(MotionMeans& to, const MotionMeans& from) {
+    to.steps.insert(to.steps.end(), from.steps.begin(), from.steps.end());
+    to.means.insert(to.means.end(), from.means.begin(), from.means.end());
+}
+inline void sort_ones(MotionMeans& means) {
+    std::stable_sort(means.ones.begin(), means.ones.end(),
+                     [](const MotionMeans::One& a, const MotionMeans::One& b) { return a.id < b.id; });
+}
+
+// What the key has of somebody; null: nothing.
+inline const MotionMeans::One* find_mean(const MotionMeans* key, const RecordedMover& mover, size_t joints) {
+    if (!key) return nullptr;
+    const auto at = std::lower_bound(key->ones.begin(), key->ones.end(), mover.id,
+                                     [](const MotionMeans::One& one, uint64_t id) { return one.id < id; });
+    return at != key->ones.end() && at->id == mover.id && at->joints == joints ? &*at : nullptr;
+}
+
 // A rotation by the vector of its axis and angle, and back.
 inline Quat turn_of(Vec3 v) {
     const float angle = length(v);
+    if (!(angle < 100)) return {};  // of bytes that are broken
     if (angle < 1e-4f) return normalize({v.x / 2, v.y / 2, v.z / 2, 1});
     const SinCos half = sin_cos(angle / 2);
     const float s = half.sine / angle;

@@ -2,7 +2,7 @@
 // of any version to show without simulating. docs/recording.md has the bytes.
 //
 // What moves is a tree of bones that keep their lengths, or one joint alone, for what is rigid. A chunk holds
-// the tracks of up to k_most_ticks ticks, each by itself, so that any chunk can be read without others. Of
+// the tracks of up to k_most_ticks ticks, and can be read with no other but the one that is its key. Of
 // each track there is the way of its root, and of each joint the rotation as seen from its parent, as waves
 // (waves.h). A joint is measured from where its parent will be read, not from where it was, and aims at where
 // its child was: errors do not add up along limbs.
@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -79,10 +80,30 @@ struct MotionFrames {
 void take_poses(const std::vector<PoseBlock>& poses, std::span<const BodyMember> bodies,
                 std::span<const RigidMember> things, MotionFrame& frame);
 
-// The same bytes on any number of threads. `missed` counts joints that could not be held to the bound, of
-// trees whose bones change their lengths or numbers that are not finite.
-std::string encode_motion(const MotionFrames& frames, std::span<const BoneTree> trees,
-                          const MotionBound& bound, Workers& workers, uint64_t& missed);
+// How everybody held themselves on average in a chunk, which is the key to others: who stands or sits does so
+// later too, and is told by what has changed.
+struct MotionMeans {
+    struct One {
+        uint64_t id = 0;
+        uint32_t joints = 0;
+        size_t begin = 0;  // into steps, and a third of that into means
+    };
+    uint32_t first = 0;     // tick of the chunk
+    std::vector<One> ones;  // by id
+    std::vector<uint8_t> steps;
+    std::vector<float> means;
+};
+
+struct EncodedMotion {
+    std::string bytes;
+    // Joints that could not be held to the bound: of bones that change their lengths, or numbers that are not
+    // finite.
+    uint64_t missed = 0;
+    MotionMeans means;
+};
+// The same bytes on any number of threads. Whoever reads it needs the means of the same `key`; null: none.
+EncodedMotion encode_motion(const MotionFrames& frames, std::span<const BoneTree> trees,
+                            const MotionBound& bound, const MotionMeans* key, Workers& workers);
 
 // A chunk that was read.
 struct MotionTrack {
@@ -93,15 +114,20 @@ struct MotionTrack {
     uint8_t yaw = 0;
     size_t values = 0, counts = 0;  // where its own begin
 };
-struct RecordedMotion {
+struct MotionChunk {
     uint32_t first = 0, ticks = 0;
     std::vector<MotionTrack> tracks;
     std::vector<float> values;
     std::vector<uint8_t> counts;
 };
-// Refuses, in a sentence without a subject, what encode_motion did not write with these trees.
-Result<RecordedMotion> decode_motion(std::string_view bytes, uint32_t first, uint32_t ticks,
-                                     std::span<const BoneTree> trees, Workers& workers);
+// The first tick of the chunk whose means are the key to these bytes; none: they need no key.
+std::optional<uint32_t> key_of(std::string_view bytes);
+// Both refuse, in a sentence without a subject, what encode_motion did not write with these trees and key.
+// decode_means() takes a tenth of the time, of bytes that need no key.
+Result<MotionMeans> decode_means(std::string_view bytes, uint32_t first, uint32_t ticks,
+                                 std::span<const BoneTree> trees);
+Result<MotionChunk> decode_motion(std::string_view bytes, uint32_t first, uint32_t ticks,
+                                  std::span<const BoneTree> trees, const MotionMeans* key, Workers& workers);
 
 // Where one is at a tick: joints' places from the origin, along the world's axes.
 struct MotionPose {
@@ -110,7 +136,7 @@ struct MotionPose {
     std::array<Quat, k_most_recorded_joints> turns;
 };
 // False where the track is not there at that tick.
-bool pose_at(const RecordedMotion& motion, size_t track, std::span<const BoneTree> trees, uint32_t tick,
+bool pose_at(const MotionChunk& motion, size_t track, std::span<const BoneTree> trees, uint32_t tick,
              MotionPose& pose);
 
 // Rigs as bytes, and back; refuses those that are none.

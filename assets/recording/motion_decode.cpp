@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <memory>
@@ -12,13 +13,22 @@ namespace flaneur {
 
 namespace {
 
+// Of a chunk, of which 100,000 people have some 70 million.
+constexpr size_t k_most_values = size_t{1} << 27;
 constexpr size_t k_track_bytes = 8 + 4 + 4 + 4 + 1 + 1 + 8 + 12 + 1;
 
 struct Group {
     size_t begin = 0, end = 0;  // tracks
-    std::string_view bits;
+    std::string_view means, waves;
+    MotionMeans learned;
     std::vector<float> values;
     std::vector<uint8_t> counts;
+};
+
+// Bytes taken apart.
+struct Parts {
+    uint32_t key = k_no_key;
+    std::vector<Group> groups;
 };
 
 // One value of each track, tracks after tracks. There is room: see decode_motion().
@@ -37,40 +47,68 @@ bool is_sound(const MotionTrack& track, uint32_t ticks, size_t trees) {
            track.mover.scale < 1e6f;
 }
 
-void decode_group(Group& group, std::vector<MotionTrack>& tracks, size_t joints) {
-    BitReader in(group.bits);
-    Symbols symbols(static_cast<int>(3 * (joints + 1)));
-    int values[k_most_samples];
+// Steps and means alone.
+void decode_means_of(Group& group, const std::vector<MotionTrack>& tracks, size_t joints,
+                     const MotionMeans* key, Symbols& symbols) {
+    BitReader in(group.means);
     for (size_t i = group.begin; i < group.end; ++i) {
         const int samples = std::popcount(tracks[i].moves);
-        tracks[i].values = group.values.size();
-        tracks[i].counts = group.counts.size();
-        symbols.begin_track();
+        const MotionMeans::One* usual = find_mean(key, tracks[i].mover, joints);
         for (size_t j = 0; j <= joints; ++j) {
-            const float step = step_of(symbols.code_step(in, static_cast<int>(j), 0));
+            const int from = usual ? key->steps[usual->begin + j] : 0, at = static_cast<int>(j);
+            const int step = (symbols.code_step(in, at, usual, 0) + from) & ((1 << k_step_bits) - 1);
+            group.learned.steps.push_back(static_cast<uint8_t>(step));
             for (int c = 0; c < 3; ++c) {
-                const int count = symbols.code_channel(in, static_cast<int>(3 * j) + c, samples, values, 0);
-                group.counts.push_back(static_cast<uint8_t>(count));
-                for (int wave = 0; wave < count; ++wave)
-                    group.values.push_back(static_cast<float>(values[wave]) * step);
+                const bool has_mean = usual && j > 0;
+                const int of_key =
+                    has_mean ? steps_to(key->means[3 * (usual->begin + j) + c], step, samples) : 0;
+                const int mean = of_key + symbols.code_mean(in, 3 * at + c, has_mean, 0);
+                group.learned.means.push_back(mean_of(mean, step, samples));
             }
         }
-        symbols.end_track();
+        symbols.end_track(usual);
     }
 }
 
-}  // namespace
+void decode_group(Group& group, std::vector<MotionTrack>& tracks, size_t joints, const MotionMeans* key,
+                  std::atomic<size_t>& values_so_far) {
+    const int channels = static_cast<int>(3 * (joints + 1));
+    Symbols of_means(channels), symbols(channels);
+    decode_means_of(group, tracks, joints, key, of_means);
+    BitReader in(group.waves);
+    int values[k_most_samples];
+    const float* mean = group.learned.means.data();
+    const uint8_t* step = group.learned.steps.data();
+    for (size_t i = group.begin; i < group.end; ++i) {
+        const int samples = std::popcount(tracks[i].moves);
+        const float unit = std::sqrt(static_cast<float>(samples));
+        tracks[i].values = group.values.size();
+        tracks[i].counts = group.counts.size();
+        symbols.begin_track();
+        for (int channel = 0; channel < channels; ++channel) {
+            const float size = step_of(step[channel / 3]);
+            const int count = symbols.code_channel(in, channel, samples, values, 0);
+            group.counts.push_back(static_cast<uint8_t>(count));
+            group.values.push_back(*mean++ * unit);
+            for (int wave = 1; wave < count; ++wave)
+                group.values.push_back(static_cast<float>(values[wave]) * size);
+        }
+        symbols.end_track(false);
+        step += joints + 1;
+        if (values_so_far.load(std::memory_order_relaxed) + group.values.size() > k_most_values) break;
+    }
+    values_so_far += group.values.size();
+}
 
-Result<RecordedMotion> decode_motion(std::string_view bytes, uint32_t first, uint32_t ticks,
-                                     std::span<const BoneTree> trees, Workers& workers) {
+// Fills `tracks` but for their waves.
+Result<Parts> take_apart(std::string_view bytes, uint32_t ticks, std::span<const BoneTree> trees,
+                         std::vector<MotionTrack>& tracks) {
     const Error broken{"is damaged: its motion does not add up"};
-    RecordedMotion motion;
-    motion.first = first;
-    motion.ticks = ticks;
+    Parts parts;
     uint32_t count = 0, group_count = 0;
-    if (ticks > k_most_ticks || !take_number(bytes, count) || count > bytes.size() / k_track_bytes)
+    if (ticks > k_most_ticks || !take_number(bytes, count) || !take_number(bytes, parts.key) ||
+        count > bytes.size() / k_track_bytes)
         return broken;
-    std::vector<MotionTrack>& tracks = motion.tracks;
     tracks.resize(count);
     uint64_t id = 0;
     take_column<uint64_t>(bytes, tracks, [&](MotionTrack& t, uint64_t v) { t.mover.id = id += v; });
@@ -86,30 +124,85 @@ Result<RecordedMotion> decode_motion(std::string_view bytes, uint32_t first, uin
     for (const MotionTrack& track : tracks)
         if (!is_sound(track, ticks, trees.size())) return broken;
 
-    if (!take_number(bytes, group_count) || group_count > count || bytes.size() / 8 < group_count)
+    if (!take_number(bytes, group_count) || group_count > count || bytes.size() / 12 < group_count)
         return broken;
-    std::vector<Group> groups(group_count);
-    std::string_view bits = bytes.substr(size_t{group_count} * 8);
+    parts.groups.resize(group_count);
+    std::string_view bits = bytes.substr(size_t{group_count} * 12);
+    std::vector<uint32_t> wave_sizes;
     size_t at = 0;
-    for (Group& group : groups) {
-        uint32_t members = 0, size = 0;
+    for (Group& group : parts.groups) {
+        uint32_t members = 0, means = 0, waves = 0;
         take_number(bytes, members);
-        take_number(bytes, size);
-        if (members == 0 || members > k_group || members > count - at || size > bits.size()) return broken;
+        take_number(bytes, means);
+        take_number(bytes, waves);
+        if (members == 0 || members > k_group || members > count - at || means > bits.size()) return broken;
         group.begin = at;
         group.end = at += members;
-        group.bits = bits.substr(0, size);
-        bits.remove_prefix(size);
+        group.means = bits.substr(0, means);
+        bits.remove_prefix(means);
+        wave_sizes.push_back(waves);
         const size_t joints = trees[tracks[group.begin].mover.tree].parents.size();
         for (size_t i = group.begin; i < group.end; ++i)
             if (trees[tracks[i].mover.tree].parents.size() != joints) return broken;
     }
+    for (size_t g = 0; g < parts.groups.size(); ++g) {
+        if (wave_sizes[g] > bits.size()) return broken;
+        parts.groups[g].waves = bits.substr(0, wave_sizes[g]);
+        bits.remove_prefix(wave_sizes[g]);
+    }
     if (at != count || !bits.empty()) return broken;
+    return parts;
+}
 
+size_t joints_of(const Group& group, const std::vector<MotionTrack>& tracks,
+                 std::span<const BoneTree> trees) {
+    return trees[tracks[group.begin].mover.tree].parents.size();
+}
+
+}  // namespace
+
+std::optional<uint32_t> key_of(std::string_view bytes) {
+    uint32_t count = 0, key = k_no_key;
+    if (!take_number(bytes, count) || !take_number(bytes, key) || key == k_no_key) return {};
+    return key;
+}
+
+Result<MotionMeans> decode_means(std::string_view bytes, uint32_t first, uint32_t ticks,
+                                 std::span<const BoneTree> trees) {
+    std::vector<MotionTrack> tracks;
+    Result<Parts> parts = take_apart(bytes, ticks, trees, tracks);
+    if (!parts) return parts.error();
+    if (parts->key != k_no_key) return Error{"is damaged: what should be a key needs one"};
+    MotionMeans means;
+    means.first = first;
+    for (Group& group : parts->groups) {
+        const size_t joints = joints_of(group, tracks, trees);
+        Symbols symbols(static_cast<int>(3 * (joints + 1)));
+        decode_means_of(group, tracks, joints, nullptr, symbols);
+        for (size_t i = group.begin; i < group.end; ++i) add_one(means, tracks[i].mover, joints);
+        add_means(means, group.learned);
+    }
+    sort_ones(means);
+    return means;
+}
+
+Result<MotionChunk> decode_motion(std::string_view bytes, uint32_t first, uint32_t ticks,
+                                  std::span<const BoneTree> trees, const MotionMeans* key, Workers& workers) {
+    MotionChunk motion;
+    motion.first = first;
+    motion.ticks = ticks;
+    std::vector<MotionTrack>& tracks = motion.tracks;
+    Result<Parts> parts = take_apart(bytes, ticks, trees, tracks);
+    if (!parts) return parts.error();
+    if (parts->key != (key ? key->first : k_no_key)) return Error{"is damaged: its motion needs another key"};
+    std::vector<Group>& groups = parts->groups;
+    std::atomic<size_t> values_so_far = 0;
     parallel_for(workers, groups.size(), 1, [&](size_t begin, size_t end, int) {
         for (size_t g = begin; g < end; ++g)
-            decode_group(groups[g], tracks, trees[tracks[groups[g].begin].mover.tree].parents.size());
+            decode_group(groups[g], tracks, joints_of(groups[g], tracks, trees), key, values_so_far);
     });
+    if (values_so_far > k_most_values) return Error{"is damaged: more moves in it than can be"};
+    motion.values.reserve(values_so_far);
     for (Group& group : groups) {
         for (size_t i = group.begin; i < group.end; ++i) {
             tracks[i].values += motion.values.size();
@@ -121,7 +214,7 @@ Result<RecordedMotion> decode_motion(std::string_view bytes, uint32_t first, uin
     return motion;
 }
 
-bool pose_at(const RecordedMotion& motion, size_t index, std::span<const BoneTree> trees, uint32_t tick,
+bool pose_at(const MotionChunk& motion, size_t index, std::span<const BoneTree> trees, uint32_t tick,
              MotionPose& pose) {
     const MotionTrack& track = motion.tracks[index];
     if (tick < motion.first + track.first || tick - motion.first - track.first >= track.ticks) return false;

@@ -33,11 +33,14 @@ struct Recorder {
 namespace {
 
 // What the thread does for each chunk, apart from the lock.
-void encode(Recorder& r, size_t& trees_written) {
-    uint64_t missed = 0;
+void encode(Recorder& r, size_t& trees_written, uint32_t& chunks, MotionMeans& key) {
     const MotionFrames& frames = *r.encoding;
     const std::string trees = encode_trees(std::span<const BoneTree>(r.known).subspan(trees_written));
-    const std::string bytes = encode_motion(frames, r.known, r.options.bound, *r.workers, missed);
+    const bool is_key = chunks++ % k_chunks_to_a_key == 0;
+    EncodedMotion encoded =
+        encode_motion(frames, r.known, r.options.bound, is_key ? nullptr : &key, *r.workers);
+    const std::string& bytes = encoded.bytes;
+    if (is_key) key = std::move(encoded.means);
     const std::lock_guard lock(r.mutex);
     Result<void> written = r.written;
     if (written && bytes.size() > k_most_chunk_bytes)
@@ -47,18 +50,20 @@ void encode(Recorder& r, size_t& trees_written) {
     if (written) written = add_chunk(*r.writer, k_motion_chunk, frames.first, frames.ticks, bytes);
     trees_written = r.known.size();
     r.written = written;
-    r.count.missed += missed;
+    r.count.missed += encoded.missed;
 }
 
 void run(Recorder& r) {
     size_t trees_written = 0;
+    uint32_t chunks = 0;
+    MotionMeans key;
     while (true) {
         {
             std::unique_lock lock(r.mutex);
             r.changed.wait(lock, [&] { return r.is_full || r.ends; });
             if (!r.is_full) return;
         }
-        encode(r, trees_written);
+        encode(r, trees_written, chunks, key);
         {
             const std::lock_guard lock(r.mutex);
             r.is_full = false;

@@ -19,6 +19,30 @@ Result<void> read_trees(Replay& replay) {
     return {};
 }
 
+Error damaged(const Replay& replay, const ChunkPlace& chunk, const Error& error) {
+    return {replay.recording->path + " " + error.message + ", at byte " + std::to_string(chunk.offset) +
+            ". Record it again."};
+}
+
+// The key of a chunk that has these bytes; null: it needs none.
+Result<const MotionMeans*> key_for(Replay& replay, std::string_view bytes) {
+    const std::optional<uint32_t> first = key_of(bytes);
+    if (!first) return static_cast<const MotionMeans*>(nullptr);
+    const ChunkPlace* chunk = chunk_at(*replay.recording, k_motion_chunk, *first);
+    if (!chunk || chunk->first != *first)
+        return Error{replay.recording->path + " is damaged: it lacks what was recorded at tick " +
+                     std::to_string(*first) + ". Record it again."};
+    if (chunk->offset != replay.key_offset) {
+        const Result<std::string> of_key = read_chunk(*replay.recording, *chunk);
+        if (!of_key) return of_key.error();
+        Result<MotionMeans> key = decode_means(*of_key, chunk->first, chunk->ticks, replay.trees);
+        if (!key) return damaged(replay, *chunk, key.error());
+        replay.key = std::move(*key);
+        replay.key_offset = chunk->offset;
+    }
+    return &replay.key;
+}
+
 }  // namespace
 
 Result<Replay> open_replay(const std::string& path, int threads) {
@@ -38,11 +62,11 @@ Result<bool> seek(Replay& replay, uint32_t tick) {
     if (Result<void> read = read_trees(replay); !read) return read.error();
     const Result<std::string> bytes = read_chunk(*replay.recording, *chunk);
     if (!bytes) return bytes.error();
-    Result<RecordedMotion> motion =
-        decode_motion(*bytes, chunk->first, chunk->ticks, replay.trees, *replay.workers);
-    if (!motion)
-        return Error{replay.recording->path + " " + motion.error().message + ", at byte " +
-                     std::to_string(chunk->offset) + ". Record it again."};
+    const Result<const MotionMeans*> key = key_for(replay, *bytes);
+    if (!key) return key.error();
+    Result<MotionChunk> motion =
+        decode_motion(*bytes, chunk->first, chunk->ticks, replay.trees, *key, *replay.workers);
+    if (!motion) return damaged(replay, *chunk, motion.error());
     replay.motion = std::move(*motion);
     replay.offset = chunk->offset;
     return true;

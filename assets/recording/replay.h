@@ -14,8 +14,10 @@ struct Replay {
     WorkersPtr workers;
     size_t tree_chunks = 0;  // that were read
     std::vector<BoneTree> trees;
-    RecordedMotion motion;  // of the chunk that was asked for last
-    uint64_t offset = 0;    // where that one lies; 0: none was
+    MotionChunk motion;  // of the chunk that was asked for last
+    MotionMeans key;
+    uint64_t key_offset = 0;  // where its chunk lies; 0: none was read
+    uint64_t offset = 0;      // where that one lies; 0: none was
 };
 
 // On so many threads; 0: one a core. Refuses, in a sentence, what open_recording() does, and those

@@ -13,21 +13,15 @@ namespace {
 
 constexpr MotionBound k_bound;
 
-struct Encoded {
-    std::string bytes;
-    uint64_t missed = 0;
-};
-Encoded encoded(const MotionFrames& frames, std::span<const BoneTree> trees, int threads = 1,
-                const MotionBound& bound = k_bound) {
-    Encoded e;
+EncodedMotion encoded(const MotionFrames& frames, std::span<const BoneTree> trees, int threads = 1,
+                      const MotionBound& bound = k_bound, const MotionMeans* key = nullptr) {
     const WorkersPtr workers = make_workers(threads);
-    e.bytes = encode_motion(frames, trees, bound, *workers, e.missed);
-    return e;
+    return encode_motion(frames, trees, bound, key, *workers);
 }
-Result<RecordedMotion> decoded(const std::string& bytes, const MotionFrames& frames,
-                               std::span<const BoneTree> trees) {
+Result<MotionChunk> decoded(const std::string& bytes, const MotionFrames& frames,
+                            std::span<const BoneTree> trees, const MotionMeans* key = nullptr) {
     const WorkersPtr workers = make_workers(1);
-    return decode_motion(bytes, frames.first, frames.ticks, trees, *workers);
+    return decode_motion(bytes, frames.first, frames.ticks, trees, key, *workers);
 }
 
 // So many walkers who wave for `ticks`; those that `is_there` at a tick.
@@ -81,6 +75,7 @@ TEST(Motion, OfACrowdIsWithinTheBoundAtEveryTick) {
     size_t bytes = 0, seen = 0;
     bool falls = false;
     auto frames = std::make_unique<MotionFrames>();
+    MotionMeans first;
     for (int chunk = 0; chunk < 4; ++chunk) {
         frames->first = world.tick;
         frames->ticks = 48;
@@ -94,10 +89,12 @@ TEST(Motion, OfACrowdIsWithinTheBoundAtEveryTick) {
             falls |= has_fallen(world, {0, world.crowd.slots.generation[0]});
             step(world);
         }
-        const Encoded e = encoded(*frames, trees, 2);
+        const MotionMeans* key = chunk > 0 ? &first : nullptr;
+        const EncodedMotion e = encoded(*frames, trees, 2, k_bound, key);
         EXPECT_EQ(e.missed, 0u);
         bytes += e.bytes.size();
-        const Result<RecordedMotion> motion = decoded(e.bytes, *frames, trees);
+        const Result<MotionChunk> motion = decoded(e.bytes, *frames, trees, key);
+        if (chunk == 0) first = e.means;
         ASSERT_TRUE(motion) << motion.error().message;
         Off off;
         MotionPose pose;
@@ -122,9 +119,9 @@ TEST(Motion, ComesAndGoes) {
     const auto is_there = [](uint32_t w, uint32_t t) { return (t / (w % 7 + 1) + w) % 3 != 0; };
     for (const uint32_t ticks : {1u, 2u, 3u, 31u, 64u}) {
         const auto frames = waving(21, ticks, trees[0], poses, is_there);
-        const Encoded e = encoded(*frames, trees);
+        const EncodedMotion e = encoded(*frames, trees);
         EXPECT_EQ(e.missed, 0u);
-        const Result<RecordedMotion> motion = decoded(e.bytes, *frames, trees);
+        const Result<MotionChunk> motion = decoded(e.bytes, *frames, trees);
         ASSERT_TRUE(motion) << motion.error().message;
         Off off;
         std::vector<int> seen(21 * ticks);
@@ -149,11 +146,11 @@ TEST(Motion, IsWithinOtherBoundsToo) {
     const auto frames = waving(5, 48, trees[0], poses, k_always);
     size_t last = ~size_t{0};
     for (const MotionBound& bound : {MotionBound{0.0005f, 0.004f}, k_bound, MotionBound{0.01f, 0.05f}}) {
-        const Encoded e = encoded(*frames, trees, 1, bound);
+        const EncodedMotion e = encoded(*frames, trees, 1, bound);
         EXPECT_EQ(e.missed, 0u);
         EXPECT_LT(e.bytes.size(), last);
         last = e.bytes.size();
-        const Result<RecordedMotion> motion = decoded(e.bytes, *frames, trees);
+        const Result<MotionChunk> motion = decoded(e.bytes, *frames, trees);
         ASSERT_TRUE(motion);
         Off off;
         MotionPose pose;
@@ -169,9 +166,9 @@ TEST(Motion, OfNobodyIsNothing) {
     auto frames = std::make_unique<MotionFrames>();
     for (const uint32_t ticks : {0u, 1u, 48u}) {
         frames->ticks = ticks;
-        const Encoded e = encoded(*frames, {});
+        const EncodedMotion e = encoded(*frames, {});
         EXPECT_LT(e.bytes.size(), 16u);
-        const Result<RecordedMotion> motion = decoded(e.bytes, *frames, {});
+        const Result<MotionChunk> motion = decoded(e.bytes, *frames, {});
         ASSERT_TRUE(motion);
         EXPECT_TRUE(motion->tracks.empty());
     }
@@ -184,9 +181,9 @@ TEST(Motion, OfThoseWhoHardlyMoveCostsLittle) {
     const auto frames = waving(16, 48, trees[0], poses, k_always);
     const size_t all = encoded(*frames, trees).bytes.size();
     for (uint32_t t = 0; t < 48; ++t) frames->frames[t].blocks = frames->frames[t / 8 * 8].blocks;
-    const Encoded eighth = encoded(*frames, trees);
-    EXPECT_LT(eighth.bytes.size() * 3, all * 2);
-    const Result<RecordedMotion> motion = decoded(eighth.bytes, *frames, trees);
+    const EncodedMotion eighth = encoded(*frames, trees);
+    EXPECT_LT(eighth.bytes.size() * 4, all * 3);
+    const Result<MotionChunk> motion = decoded(eighth.bytes, *frames, trees);
     ASSERT_TRUE(motion);
     Off off;
     MotionPose pose;
@@ -196,7 +193,21 @@ TEST(Motion, OfThoseWhoHardlyMoveCostsLittle) {
                 compare(poses[t / 8 * 8][0], static_cast<int>(i), pose, off);
     expect_within(off, k_bound);
     for (uint32_t t = 0; t < 48; ++t) frames->frames[t].blocks = frames->frames[0].blocks;
-    EXPECT_LT(encoded(*frames, trees).bytes.size() * 4, all);
+    const EncodedMotion still = encoded(*frames, trees);
+    EXPECT_LT(still.bytes.size() * 4, all);
+    const EncodedMotion later = encoded(*frames, trees, 1, k_bound, &still.means);
+    EXPECT_EQ(key_of(later.bytes), std::optional<uint32_t>(1000));
+    constexpr size_t k_told = 43 * 16;  // ids, ticks and origins, which pack well
+    EXPECT_LT((later.bytes.size() - k_told) * 4, still.bytes.size() - k_told);
+    EXPECT_FALSE(decoded(later.bytes, *frames, trees));
+    const Result<MotionMeans> means = decode_means(still.bytes, 1000, 48, trees);
+    ASSERT_TRUE(means);
+    EXPECT_FALSE(decode_means(later.bytes, 1000, 48, trees));
+    const Result<MotionChunk> read = decoded(later.bytes, *frames, trees, &*means);
+    ASSERT_TRUE(read) << read.error().message;
+    for (uint32_t i = 0; i < 16; ++i)
+        if (pose_at(*read, i, trees, 1047, pose)) compare(poses[0][0], static_cast<int>(i), pose, off);
+    expect_within(off, k_bound);
 }
 
 // Things, of which there are more than go into a group.
@@ -219,11 +230,11 @@ std::unique_ptr<MotionFrames> driving(uint32_t things) {
 TEST(Motion, OfThingsIsWithinTheBoundAndTheSameOnAnyNumberOfThreads) {
     const std::vector<BoneTree> trees = {rigid_tree()};
     const auto frames = driving(600);
-    const Encoded one = encoded(*frames, trees, 1);
+    const EncodedMotion one = encoded(*frames, trees, 1);
     EXPECT_EQ(one.missed, 0u);
     EXPECT_EQ(one.bytes, encoded(*frames, trees, 2).bytes);
     EXPECT_EQ(one.bytes, encoded(*frames, trees, 5).bytes);
-    const Result<RecordedMotion> motion = decoded(one.bytes, *frames, trees);
+    const Result<MotionChunk> motion = decoded(one.bytes, *frames, trees);
     ASSERT_TRUE(motion);
     ASSERT_EQ(motion->tracks.size(), 600u);
     for (uint32_t i = 0; i < 600; ++i)
@@ -246,8 +257,8 @@ TEST(Motion, OfNumbersThatAreNoneIsCountedAndHarmsNobodyElse) {
         frames->frames[10 + i].blocks[0].hips[i][1] = odd[i];
         frames->frames[20 + i].blocks[0].rotation[left_hand][i][1] = odd[i];
     }
-    const Encoded e = encoded(*frames, trees);
-    const Result<RecordedMotion> motion = decoded(e.bytes, *frames, trees);
+    const EncodedMotion e = encoded(*frames, trees);
+    const Result<MotionChunk> motion = decoded(e.bytes, *frames, trees);
     ASSERT_TRUE(motion);
     Off off;
     MotionPose pose;
@@ -273,7 +284,7 @@ TEST(Motion, OfBrokenBytesIsReadOrRefused) {
             broken[draw / 256 % (n % 2 == 0 ? broken.size() : 500)] ^= static_cast<char>(draw % 255 + 1);
         }
         if (n % 5 == 0) broken.resize(random_bits({n, 1}) % broken.size());
-        const Result<RecordedMotion> motion = decoded(broken, *frames, trees);
+        const Result<MotionChunk> motion = decoded(broken, *frames, trees);
         refused += !motion;
         MotionPose pose;
         if (motion)
