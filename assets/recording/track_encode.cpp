@@ -123,16 +123,20 @@ void even_out(const float (&weights)[3][k_most_samples], const Waves& waves, con
     for (int s = 0; s < n; ++s) coded.read[s] = curve[s] + Vec3{off[0][s], off[1][s], off[2][s]};
 }
 
-// The coarsest step near `guess` at which `holds(coded)`; what is coded then. False where none is fine
-// enough.
-template <class Holds>
+// Squares of errors, in those of the bound, beyond which even_out() mends nothing.
+constexpr float k_hopeless = 3;
+
+// The coarsest step near `guess` at which the largest square of an error, worst(coded) in those of the bound,
+// is 1 at most; what is coded then. False where none is fine enough.
+template <class Worst>
 bool find_step(const float (&weights)[3][k_most_samples], const Waves& waves, const Vec3* curve, int guess,
-               CodedCurves& coded, CodedCurves& other, const Holds& holds) {
+               CodedCurves& coded, CodedCurves& other, const Worst& worst) {
     const auto fits = [&](int step, CodedCurves& as) {
         quantise(weights, waves, step, as);
-        if (holds(as)) return true;
+        const float error = worst(as);
+        if (error <= 1 || error > k_hopeless) return error <= 1;
         even_out(weights, waves, curve, as);
-        return holds(as);
+        return worst(as) <= 1;
     };
     if (fits(guess, coded)) {
         for (int step = guess - 1; step >= 0 && step > guess - 8; --step) {
@@ -157,14 +161,15 @@ int step_near(float size) {
 void TrackEncoder::put_root(const Waves& waves) {
     float weights[3][k_most_samples];
     weigh(samples.root, waves, weights);
-    const float most = bound.place * k_within;
-    const bool held = find_step(weights, waves, samples.root, guess_of(0, bound.place * 1.5f), coded, other,
-                                [&](const CodedCurves& c) {
-                                    for (int s = 0; s < waves.samples; ++s)
-                                        if (length_squared(c.read[s] - samples.root[s]) > most * most)
-                                            return false;
-                                    return true;
-                                });
+    const float by = 1 / (bound.place * bound.place * k_within * k_within);
+    const auto worst = [&](const CodedCurves& c) {
+        float most = 0;
+        for (int s = 0; s < waves.samples && most <= k_hopeless; ++s)
+            most = std::max(most, length_squared(c.read[s] - samples.root[s]) * by);
+        return most;
+    };
+    const int guess = guess_of(0, bound.place * 1.5f);
+    const bool held = find_step(weights, waves, samples.root, guess, coded, other, worst);
     missed += !held;
     put_coded(0);
 }
@@ -202,24 +207,27 @@ void TrackEncoder::put_joint(const TrackChain& chain, size_t joint, const Waves&
             room = std::min(room, 1.4f * bound.place * chain.allowed[child] /
                                       std::max(length(chain.offsets[child]), 1e-3f));
     Quat* read = turns[joint];
-    const auto holds = [&](const CodedCurves& c) {
-        for (int s = 0; s < n; ++s) {
+    const float by_turn = 1 / (half_turn * half_turn);
+    const float by_place = 1 / (bound.place * bound.place * k_within * k_within);
+    const auto worst = [&](const CodedCurves& c) {
+        float most = 0;
+        for (int s = 0; s < n && most <= k_hopeless; ++s) {
             const Quat local = turn_of(c.read[s]);
             read[s] = joint == 0 ? local : turns[chain.parents[joint]][s] * local;
             const Quat off = conjugate(samples.turns[joint][s]) * read[s];
-            if (length_squared(Vec3{off.x, off.y, off.z}) > half_turn * half_turn) return false;
+            most = std::max(most, length_squared(Vec3{off.x, off.y, off.z}) * by_turn);
         }
         for (size_t child = joint + 1; child < chain.joints; ++child) {
             if (chain.parents[child] != joint) continue;
-            const float most = bound.place * chain.allowed[child] * k_within;
-            for (int s = 0; s < n; ++s) {
+            const float by = by_place / (chain.allowed[child] * chain.allowed[child]);
+            for (int s = 0; s < n && most <= k_hopeless; ++s) {
                 const Vec3 place = places[joint][s] + rotate(read[s], chain.offsets[child]);
-                if (length_squared(place - true_places[child][s]) > most * most) return false;
+                most = std::max(most, length_squared(place - true_places[child][s]) * by);
             }
         }
-        return true;
+        return most;
     };
-    const bool held = find_step(weights, waves, curve, guess_of(joint + 1, room), coded, other, holds);
+    const bool held = find_step(weights, waves, curve, guess_of(joint + 1, room), coded, other, worst);
     missed += !held;
     for (int s = 0; s < n; ++s) {
         const Quat local = turn_of(coded.read[s]);
