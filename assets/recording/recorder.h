@@ -11,15 +11,15 @@
 
 namespace flaneur {
 
-// Four fifths of a second at 60 Hz: a kill loses that, and what is being encoded.
-inline constexpr uint32_t k_chunk_ticks = 48;
+// Half a second at 60 Hz: a kill loses that, and what is being encoded.
+inline constexpr uint32_t k_chunk_ticks = 32;
 inline constexpr uint32_t k_chunks_to_a_key = 8;
 inline constexpr uint32_t k_trees_chunk = 0x65657274;   // "tree": encode_trees() of those that are new
 inline constexpr uint32_t k_motion_chunk = 0x69746f6d;  // "moti": encode_motion()
 
 struct RecorderOptions {
     MotionBound bound{};
-    int threads = 1;  // that encode
+    int threads = 2;  // that encode
 };
 
 struct RecorderCount {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -174,8 +175,29 @@ TEST(Recorder, LosesLittleWhenItIsKilled) {
 
 // Where there is no room left it says so, and what was written before stays.
 TEST(Recorder, SaysThatItCannotWrite) {
-    const Result<RecorderPtr> recorder = begin_recorder("/dev/full", "{}");
-    EXPECT_FALSE(recorder);
+    EXPECT_FALSE(begin_recorder("/dev/full", "{}"));
+    const TestFolder folder;
+    const std::string path = folder / "a";
+    Result<RecorderPtr> recorder = begin_recorder(path, "{}");
+    ASSERT_TRUE(recorder);
+    const uint32_t thing = add_tree(**recorder, rigid_tree()), tree = add_tree(**recorder, grown());
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit little{20'000, before.rlim_max};
+    signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &little);
+    Result<void> done;
+    for (uint32_t tick = 0; tick < 2000 && done; ++tick) done = record(**recorder, tick, 5, tree, thing);
+    const Result<RecorderCount> finished = finish_recorder(std::move(*recorder));
+    setrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, SIG_DFL);
+    ASSERT_FALSE(done);
+    EXPECT_NE(done.error().message.find(path), std::string::npos);
+    EXPECT_FALSE(finished);
+    Result<Replay> replay = open_replay(path, 1);
+    ASSERT_TRUE(replay);
+    EXPECT_EQ(replay->recording->left_out, 0u);
+    expect_as_recorded(*replay, 60, 5);
 }
 
 }  // namespace
