@@ -44,7 +44,7 @@ struct Symbols {
     Odds ends[k_stir][2 * k_sizes];
     uint32_t moved = 0, usual = 0;  // of this track so far
 
-    static int size_class(uint32_t typical_size) {  // half octaves from 1/64 on
+    static int size_class(uint32_t typical_size) {  // in half octaves
         const uint32_t t = typical_size * 2 + 1;
         const int octave = std::bit_width(t) - 1;
         const int half = octave > 0 ? static_cast<int>(t >> (octave - 1) & 1) : 0;
