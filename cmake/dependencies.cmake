@@ -19,7 +19,8 @@ set(flaneur_assets_links
     "tinygltf tinygltf tiny_gltf.h libtinygltf-dev"
     "webp webp webp/decode.h libwebp-dev"
     "zip zip zip.h libzip-dev"
-    "zlib z zlib.h zlib1g-dev")
+    "zlib z zlib.h zlib1g-dev"
+    "zstd zstd zstd.h libzstd-dev")
 set(flaneur_renderer_links
     "glfw glfw GLFW/glfw3.h libglfw3-dev"
     "glm - glm/glm.hpp libglm-dev")

@@ -10,6 +10,7 @@ case $name in
     osm) also=(corpus/osm -size -32k -name '*.osm*') length=16384 ;;
     picture) also=(corpus -size -32k '(' -name '*.png' -o -name '*.jpg' -o -name '*.webp' ')') length=32768 ;;
     path | scene) also=() length=4096 ;;
+    recording) also=() length=16384 ;;
     terrain) also=(corpus/osm -size -64k '(' -name '*.tif' -o -name '*.zip' ')') length=32768 ;;
     trajectories) also=(corpus/trajectories -size -32k -name '*.txt') length=16384 ;;
     *) echo "fuzz.sh: there is no target $name." >&2 && exit 2 ;;
@@ -27,5 +28,5 @@ if [[ ${#also[@]} -gt 0 && -d $shared/${also[0]} ]]; then
 fi
 # Sanitizers take twice the memory and more.
 TMPDIR=$seeds/tmp "$build/${name}_fuzz" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2560 -malloc_limit_mb=700 \
-    -max_len="$length" -dict="$(dirname "$0")/../fuzz/$name.dict" -artifact_prefix="$build/$name-" -print_final_stats=1 \
+    -max_len="$length" -dict="$(dirname "$0")/../fuzz/words/$name.dict" -artifact_prefix="$build/$name-" -print_final_stats=1 \
     "$kept" "$seeds/also" "$seeds/own"
