@@ -469,7 +469,8 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
                             .room = c.identity.room[i],
                             .is_beside = is_beside,
                             .by_door = passage != nullptr,
-                            .lifts = j.insists_since != k_never && tick - j.insists_since > k_lifts};
+                            .lifts = j.insists_since != k_never && tick - j.insists_since > k_lifts,
+                            .staggers = wish.staggers};
 }
 
 // How full it is, of every polygon: half of what it was and half of what it is, so that nobody turns about

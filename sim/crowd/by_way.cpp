@@ -187,7 +187,7 @@ static WayWish stagger(const Goer& g, float seconds) {
     const float heading = speed > k_least_going ? heading_of(velocity / speed) : g.c.motion.heading[g.i];
     const Vec2 way =
         stride_on(g.way.platform, who, g.way.stride, on_ground(g.at()), heading, seconds, key_of(g, 0));
-    return {way * who.speed, false};
+    return {way * who.speed, false, true};
 }
 
 // As fast as brings one there who is so far from a place that moves on, or stands. Near one of these it will

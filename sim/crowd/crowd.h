@@ -220,6 +220,7 @@ struct Intent {
     bool is_beside = false;  // the mesh: walks back onto it, or
     bool by_door = false;    // goes through a door
     bool lifts = false;      // its pram, if it has one, past what holds it up
+    bool staggers = false;
 };
 
 // Written and read within one tick, but for the order of places, which holds for k_decision_ticks.

@@ -19,6 +19,7 @@ Vec2 go_where_called(const Crowd& crowd, const Called& called);
 struct WayWish {
     Vec2 wanted;              // m/s
     bool is_by_path = false;  // else straight
+    bool staggers = false;
 };
 WayWish wish_by_way(Crowd& crowd, const Navmesh& mesh, int thread, uint32_t walker, uint32_t tick,
                     uint64_t seed);

@@ -416,9 +416,7 @@ static void decide(Crowd& c, const Navmesh& mesh, int thread, Deciders& d) {
         const Vec2 chosen{d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
         const Vec2 goes = shuffled(chosen, me.course, is_thronged[lane]);
         // Who staggers does not stand as others do, and keeps off edges that the mesh does not know.
-        const Wayfarer* way = c.wayfarers.empty() ? nullptr : own_of(c.wayfarers, me.id);
-        const bool staggers = way && way->kind == Wayfarer::Kind::stagger;
-        c.decision.chosen[me.id] = staggers
+        c.decision.chosen[me.id] = c.scratch.intents[me.id].staggers
                                        ? goes
                                        : settled(goes, c.motion.velocity[me.id], c.decision.wanted[me.id],
                                                  c.decision.claim[me.id].heirs > 0);
