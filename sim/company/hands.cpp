@@ -114,7 +114,8 @@ bool has_hand_for(const Gait& gait, uint32_t i, Side side) {
 // Whether they are so beside each other that hands meet, and go on to.
 bool can_hold(const Holding& h, Side child_side, Side adult_side, bool held) {
     const Crowd& c = h.c;
-    constexpr float k_nearest = 0.3f, k_farthest = 0.75f, k_still = 0.88f, k_beside = 0.35f, k_level = 0.35f;
+    constexpr float k_nearest = 0.3f, k_farthest = 0.75f, k_still = 0.88f, k_beside = 0.35f, k_abreast = 0.3f,
+                    k_level = 0.35f;
     const Vec3 off = c.motion.position[h.adult] - c.motion.position[h.child];
     const float far = length(on_ground(off));
     if (is_down(c, h.child) || is_down(c, h.adult) || passage_of(c, h.child) || passage_of(c, h.adult) ||
@@ -124,10 +125,11 @@ bool can_hold(const Holding& h, Side child_side, Side adult_side, bool held) {
         return false;
     const float turned = std::fabs(wrap_angle(c.motion.heading[h.child] - c.motion.heading[h.adult]));
     const Vec2 ahead = heading_direction(c.motion.heading[h.adult]);
-    const float on = std::fabs(dot(on_ground(off), ahead));
+    const float on = std::fabs(dot(on_ground(off), ahead)), aside = std::fabs(cross(on_ground(off), ahead));
     return side_of(c, h.child, h.adult) == child_side && side_of(c, h.adult, h.child) == adult_side &&
            far > k_nearest && far < (held ? k_still : k_farthest) && turned < (held ? 1.3f : 0.8f) &&
-           on < (held ? 1.5f : 1.0f) * k_beside && std::fabs(off.y) < k_level;
+           on < (held ? 1.2f : 1.0f) * k_beside && aside > (held ? 0.8f : 1.0f) * k_abreast &&
+           std::fabs(off.y) < k_level;
 }
 
 // Where both palms meet: below the adult's shoulder, as low as its arm hangs, towards the child, and within
@@ -149,6 +151,12 @@ Vec3 meeting_place(const Holding& h, Vec3 adult_shoulder, Vec3 child_shoulder, V
     Vec3 meets = at_height(on_ground(adult_shoulder) + between * lerp(k_midway, k_near_adult, taller) +
                                ahead * (k_ahead + k_swing * swing),
                            height);
+    // Close by a small child's shoulder it is before it, or the arm would be folded up.
+    constexpr float k_folds = 0.62f;
+    const Vec3 off = meets - child_shoulder, before = at_height(ahead, 0);
+    const float least = k_folds * child_reach, along = dot(off, before);
+    const float lacks = least * least - length_squared(off);
+    if (lacks > 0) meets += before * (std::sqrt(along * along + lacks) - along);
     for (int pass = 0; pass < 4; ++pass)
         for (const bool of_adult : {true, false}) {
             const Vec3 from = of_adult ? adult_shoulder : child_shoulder;
@@ -174,6 +182,21 @@ void write_arm(std::vector<PoseBlock>& poses, Someone who, uint32_t i, Side side
     }
 }
 
+// Where the elbow of an arm points that goes from its shoulder that way, as reach_for() has it: as far behind
+// and out of it as of an arm that hangs, wherever it goes, so that no way makes it turn over.
+Vec3 elbow_of(const BodyPose& pose, Side side, Vec3 way) {
+    constexpr Vec3 k_hangs{0, -1, 0}, k_points{0.2f, 0, -1};
+    Vec3 to = normalize_or(rotate(conjugate(pose.rotation[upper_chest]), way), k_hangs);
+    if (side == k_right) to.x = -to.x;
+    // Straight up there is no such way: there as if it were before it.
+    constexpr float k_highest = 0.3f;
+    if (to.y > k_highest) to = normalize_or({to.x, k_highest, to.z + to.y - k_highest}, {0, 0, 1});
+    const Vec3 axis = cross(k_hangs, to);
+    const float cosine = dot(k_hangs, to);
+    return k_points * cosine + cross(axis, k_points) +
+           axis * (dot(axis, k_points) / std::max(1 + cosine, 0.05f));
+}
+
 // Whether they have got to each other, where all of `share` is put on it.
 bool put_hands_together(const Holding& h, Side child_side, Side adult_side, float share,
                         std::vector<PoseBlock>& poses) {
@@ -192,8 +215,10 @@ bool put_hands_together(const Holding& h, Side child_side, Side adult_side, floa
     const Vec3 out = normalize_or(meets - of_child.shoulder, {0, -1, 0});
     const Vec3 childs = normalize_or(out + ahead * 0.3f, out);
     auto square = [](Vec3 v, Vec3 to) { return normalize_or(v - to * dot(v, to), {0, 1, 0}); };
-    reach_for(adult, grown, adult_side, {meets, square(faces, fingers), fingers}, {0.4f, 0, -1}, share);
-    reach_for(child, small, child_side, {meets, square(-faces, childs), childs}, {0.5f, -1, -0.5f}, share);
+    reach_for(adult, grown, adult_side, {meets, square(faces, fingers), fingers},
+              elbow_of(adult, adult_side, meets - of_adult.shoulder), share);
+    reach_for(child, small, child_side, {meets, square(-faces, childs), childs},
+              elbow_of(child, child_side, meets - of_child.shoulder), share);
     write_arm(poses, grown, h.adult, adult_side, adult, of_adult.shoulder);
     write_arm(poses, small, h.child, child_side, child, of_child.shoulder);
     constexpr float k_touch = 0.008f;  // metres
@@ -208,14 +233,15 @@ bool is_taken(const Company& company, const Group& g, uint32_t whose, Side side,
         const Bearing& b = company.bearings[m];
         if (m == by || !has_a_hand(b) || b.grip <= 0) continue;
         if (m == whose && static_cast<Side>(b.holds_side & 1) == side) return true;
-        if (b.holds == whose && static_cast<Side>(b.holds_side >> 1) == side) return true;
+        if (b.holds == whose && static_cast<Side>(b.holds_side >> 1 & 1) == side) return true;
     }
     return false;
 }
 
 void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t group, uint32_t i,
                std::vector<PoseBlock>& poses) {
-    constexpr float k_takes = k_tick / 0.6f, k_lets_go = k_tick / 0.4f;
+    constexpr float k_takes = k_tick / 0.6f, k_parts = k_tick / 0.4f;
+    constexpr uint32_t k_lets_go = 4;  // of holds_side, beside both sides: until it has
     Bearing& b = company.bearings[i];
     const Holding h{c, gait, i, b.holds};
     const bool together = is_seen(c, group, i) && is_seen(c, group, b.holds);
@@ -223,14 +249,15 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
     if (b.grip <= 0)
         b.holds_side = static_cast<uint32_t>(side_of(c, i, b.holds)) |
                        static_cast<uint32_t>(side_of(c, b.holds, i)) << 1;
-    const auto own = static_cast<Side>(b.holds_side & 1), others = static_cast<Side>(b.holds_side >> 1);
+    const auto own = static_cast<Side>(b.holds_side & 1), others = static_cast<Side>(b.holds_side >> 1 & 1);
     const Group& g = company.groups[group];
     const bool is_free =
         b.grip > 0 || (!is_taken(company, g, i, own, i) && !is_taken(company, g, b.holds, others, i));
-    const bool holds = together && is_free && can_hold(h, own, others, b.grip > 0);
-    b.grip = clamp(b.grip + (holds ? k_takes : -k_lets_go), 0, 1);
+    const bool lets_go = (b.holds_side & k_lets_go) != 0;
+    const bool holds = together && is_free && !lets_go && can_hold(h, own, others, b.grip > 0);
+    b.grip = clamp(b.grip + (holds ? k_takes : -k_parts), 0, 1);
     if (b.grip > 0 && together && !is_down(c, i) && !is_down(c, b.holds))
-        if (!put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses)) b.grip = 1 - 2 * k_lets_go;
+        if (!put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses)) b.holds_side |= k_lets_go;
 }
 
 // Right hands of two who greet each other, whose arms are bent.
