@@ -257,7 +257,8 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
     const bool holds = together && is_free && !lets_go && can_hold(h, own, others, b.grip > 0);
     b.grip = clamp(b.grip + (holds ? k_takes : -k_parts), 0, 1);
     if (b.grip > 0 && together && !is_down(c, i) && !is_down(c, b.holds))
-        if (!put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses)) b.holds_side |= k_lets_go;
+        if (!put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses))
+            b.holds_side |= k_lets_go, b.grip = std::min(b.grip, 1 - k_parts);
 }
 
 // Right hands of two who greet each other, whose arms are bent.

@@ -55,10 +55,19 @@ static int kind_at(const float (&shares)[k_destination_count], float drawn) {
     return kind;
 }
 
+// Nobody stands on a carriageway because a stop is beside it.
 static NavPoint place_beside(const Navmesh& mesh, int thread, const Attraction& a, int kind, RandomKey key) {
-    Vec2 aside =
+    auto is_road = [&](const NavPoint& p) {
+        const Surface surface = surface_of(mesh, p.polygon);
+        return surface == Surface::road || surface == Surface::crossing;
+    };
+    const Vec2 aside =
         heading_direction(random_between(key, -k_pi, k_pi, 2)) * (k_spread[kind] * random_unit(key, 3));
-    return move_along(mesh, thread, a.place, a.place.position + at_height(aside, 0));
+    for (const Vec2 by : {aside, aside * -1}) {
+        const NavPoint to = move_along(mesh, thread, a.place, a.place.position + at_height(by, 0));
+        if (is_road(a.place) || !is_road(to)) return to;
+    }
+    return a.place;
 }
 
 Demand make_demand(std::span<const Destination> destinations, Vec2 low, Vec2 high, const Navmesh& mesh,
