@@ -178,7 +178,8 @@ void step_pose(World& w) {
         hold_items(w, block, dt);
         pose_pastimes(pastime_tick(w), block * k_block, (block + 1) * k_block);
     });
-    if (is_on(w.company)) pose_company(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed, w.poses);
+    if (is_on(w.company))
+        pose_company(w.company, w.crowd, w.gait, *w.workers, w.tick, w.seed, w.previous_poses, w.poses);
     mind_falls(w);
     step_falls(w);
     pose_bystanders(w);

@@ -133,9 +133,9 @@ void guide(Company& company, Crowd& crowd, const Navmesh& mesh, Workers& workers
 // Between gait and pose: where heads turn, and hands of who speaks.
 void bear_themselves(const Company& company, const Crowd& crowd, Gait& gait, Workers& workers, uint32_t tick,
                      uint64_t seed);
-// After the pose: nods, and hands in hands.
+// After the pose: nods, and hands in hands, from where arms were a tick before.
 void pose_company(Company& company, const Crowd& crowd, const Gait& gait, Workers& workers, uint32_t tick,
-                  uint64_t seed, std::vector<PoseBlock>& poses);
+                  uint64_t seed, const std::vector<PoseBlock>& previous, std::vector<PoseBlock>& poses);
 
 // The groups' part of the state of the world. Nothing of a world without groups.
 uint64_t hash_company(const Company& company);

@@ -197,9 +197,12 @@ Vec3 elbow_of(const BodyPose& pose, Side side, Vec3 way) {
            axis * (dot(axis, k_points) / std::max(1 + cosine, 0.05f));
 }
 
-// Whether they have got to each other, where all of `share` is put on it.
-bool put_hands_together(const Holding& h, Side child_side, Side adult_side, float share,
-                        std::vector<PoseBlock>& poses) {
+// Whether hands can meet, where all of `share` is put on it, and whether arms had the time to.
+struct Met {
+    bool can = true, yet = true;
+};
+Met put_hands_together(const Holding& h, Side child_side, Side adult_side, float share,
+                       const std::vector<PoseBlock>& previous, std::vector<PoseBlock>& poses) {
     BodyPose adult = body_pose_of(poses, h.adult), child = body_pose_of(poses, h.child);
     const Someone grown = h.of(h.adult), small = h.of(h.child);
     const ArmPlaces of_adult = arm_places(adult, grown.person, grown.lane, adult_side),
@@ -221,9 +224,17 @@ bool put_hands_together(const Holding& h, Side child_side, Side adult_side, floa
               elbow_of(child, child_side, meets - of_child.shoulder), share);
     write_arm(poses, grown, h.adult, adult_side, adult, of_adult.shoulder);
     write_arm(poses, small, h.child, child_side, child, of_child.shoulder);
-    constexpr float k_touch = 0.008f;  // metres
-    return share < 1 || length(palm_of(adult, grown, adult_side).place -
-                               palm_of(child, small, child_side).place) < k_touch;
+    constexpr float k_touch = 0.008f, k_most = 12 * k_tick;  // metres; radians
+    const float apart =
+        length(palm_of(adult, grown, adult_side).place - palm_of(child, small, child_side).place);
+    Met met{share < 1 || apart < k_touch, true};
+    auto slow = [&](uint32_t i, Side side) {
+        met.yet &=
+            !slow_arm({previous[i / k_block], i % k_block}, {poses[i / k_block], i % k_block}, side, k_most);
+    };
+    slow(h.adult, adult_side);
+    slow(h.child, child_side);
+    return met;
 }
 
 // Whether a hand of one of the group is already in that of somebody other than `by`.
@@ -239,7 +250,7 @@ bool is_taken(const Company& company, const Group& g, uint32_t whose, Side side,
 }
 
 void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t group, uint32_t i,
-               std::vector<PoseBlock>& poses) {
+               const std::vector<PoseBlock>& previous, std::vector<PoseBlock>& poses) {
     constexpr float k_takes = k_tick / 0.6f, k_parts = k_tick / 0.4f;
     constexpr uint32_t k_lets_go = 4;  // of holds_side, beside both sides: until it has
     Bearing& b = company.bearings[i];
@@ -256,9 +267,10 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
     const bool lets_go = (b.holds_side & k_lets_go) != 0;
     const bool holds = together && is_free && !lets_go && can_hold(h, own, others, b.grip > 0);
     b.grip = clamp(b.grip + (holds ? k_takes : -k_parts), 0, 1);
-    if (b.grip > 0 && together && !is_down(c, i) && !is_down(c, b.holds))
-        if (!put_hands_together(h, own, others, smoothstep(0, 1, b.grip), poses))
-            b.holds_side |= k_lets_go, b.grip = std::min(b.grip, 1 - k_parts);
+    if (b.grip <= 0 || !together || is_down(c, i) || is_down(c, b.holds)) return;
+    const Met met = put_hands_together(h, own, others, smoothstep(0, 1, b.grip), previous, poses);
+    if (!met.can) b.holds_side |= k_lets_go;
+    if (!met.can || !met.yet) b.grip = std::min(b.grip, 1 - k_takes);
 }
 
 // Right hands of two who greet each other, whose arms are bent.
@@ -316,7 +328,7 @@ void bear_themselves(const Company& company, const Crowd& c, Gait& gait, Workers
 }
 
 void pose_company(Company& company, const Crowd& c, const Gait& gait, Workers& workers, uint32_t tick,
-                  uint64_t seed, std::vector<PoseBlock>& poses) {
+                  uint64_t seed, const std::vector<PoseBlock>& previous, std::vector<PoseBlock>& poses) {
     constexpr float k_bows = 1.6f * k_tick;  // radians
     parallel_for(workers, company.groups.size(), 16, [&](size_t begin, size_t end, int) {
         for (size_t n = begin; n < end; ++n) {
@@ -335,7 +347,7 @@ void pose_company(Company& company, const Crowd& c, const Gait& gait, Workers& w
                 b.bows += clamp((looks ? down_to(c, gait, i, b.whom) : 0) - b.bows, -k_bows, k_bows);
                 const float pitch = b.bows + nod_of(g, k, tick, seed);
                 if (pitch != 0) bow_head(poses, i, pitch);
-                if (has_a_hand(b)) hold_hand(company, c, gait, number, i, poses);
+                if (has_a_hand(b)) hold_hand(company, c, gait, number, i, previous, poses);
             }
             const bool two = g.does == Together::meets && g.count > 1;
             if (two && is_seen(c, static_cast<uint32_t>(n), g.members[0].index) &&

@@ -68,6 +68,7 @@ void pose_leaning(const PastimeTick& t, const Pastime& p, Someone who, BodyPose&
     const FootAt stands[2] = {gait_foot(t, pose, who, p.walker, k_left),
                               gait_foot(t, pose, who, p.walker, k_right)};
     pose = leaning_back(pose, stands, who, {p.at, p.facing}, p.posture % 3, share);
+    breathe(pose, static_cast<float>(t.tick) * k_tick + static_cast<float>(p.walker % 16), share);
 }
 
 // From the pose in which it came to stand there: the gait may step meanwhile.

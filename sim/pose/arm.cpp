@@ -95,13 +95,15 @@ void part_arm(const KeptArm& before, Posed now, Side side, float part) {
     part_arm(before_ps, now, side, part);
 }
 
-void slow_arm(const PosedBefore& before, Posed now, Side side, float most) {
+bool slow_arm(const PosedBefore& before, Posed now, Side side, float most) {
     float farthest = 0;
     for (int j = upper_arm_of(side); j <= upper_arm_of(side) + 2; ++j) {
         float same = std::min(std::fabs(dot(against_parent(before, j), against_parent(now, j))), 1.0f);
         farthest = std::max(farthest, 2 * arccos(same));
     }
-    if (farthest > most) part_arm(before, now, side, most / farthest);
+    if (farthest <= most) return false;
+    part_arm(before, now, side, most / farthest);
+    return true;
 }
 
 }  // namespace flaneur

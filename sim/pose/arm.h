@@ -50,7 +50,7 @@ bool is_sound(const Posed& pose, Side side);
 void part_arm(const PosedBefore& before, Posed now, Side side, float part);
 // The same from `before` in the block that it is in now.
 void part_arm(const KeptArm& before, Posed now, Side side, float part);
-// The same, as far as none of them turns by more than `most` radians.
-void slow_arm(const PosedBefore& before, Posed now, Side side, float most);
+// The same, as far as none of them turns by more than `most` radians. Returns whether one would have.
+bool slow_arm(const PosedBefore& before, Posed now, Side side, float most);
 
 }  // namespace flaneur
