@@ -15,8 +15,7 @@ constexpr float k_from_wall = 0.45f;   // no destination is nearer to a wall, me
 // The ground at `p` where one can stand clear of walls and off the carriageway.
 std::optional<Vec3> standing(const OsmImport& in, Vec2 p) {
     std::optional<GroundHit> hit = ground_at(in.city.ground, at_height(p, terrain_at(in.plan, p)), 1.5f, 3);
-    if (!hit || hit->kind == Surface::road || hit->kind == Surface::crossing || !is_walked(hit->kind))
-        return std::nullopt;
+    if (!hit || is_carriageway(hit->kind) || !is_walked(hit->kind)) return std::nullopt;
     Vec3 at = at_height(p, hit->height);
     if (closest_wall(in.city.ground, at + Vec3{0, 0.5f, 0}, k_from_wall)) return std::nullopt;
     return at;

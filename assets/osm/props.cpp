@@ -19,8 +19,7 @@ std::optional<GroundHit> ground_at(const OsmImport& in, Vec2 p) {
 }
 
 bool takes_props(const std::optional<GroundHit>& hit) {
-    return hit && hit->kind != Surface::road && hit->kind != Surface::crossing && is_walked(hit->kind) &&
-           hit->kind != Surface::steps;
+    return hit && !is_carriageway(hit->kind) && is_walked(hit->kind) && hit->kind != Surface::steps;
 }
 
 // From a node on a carriageway to the pavement nearest to it.

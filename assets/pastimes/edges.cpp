@@ -45,25 +45,36 @@ bool is_ground(const City& city, Vec2 at, float height) {
 float thickness_of(const City& city, const Edge& e, Vec2 at, float top, float least) {
     constexpr float k_most = 1.5f;
     float depth = 0;
-    const Grid& grid = city.ground.wall_grid;
     const Vec2 box{k_most, k_most};
-    const CellRange r = cells_of_box(grid, at - box, at + box);
-    for (int z = r.z0; z <= r.z1; ++z)
-        for (int x = r.x0; x <= r.x1; ++x) {
-            const size_t cell =
-                static_cast<size_t>(z) * static_cast<size_t>(grid.width) + static_cast<size_t>(x);
-            for (uint32_t k = grid.first[cell]; k < grid.first[cell + 1]; ++k) {
-                const Face& face = city.ground.faces[grid.items[k]];
-                if (face.kind != FaceKind::garden_wall) continue;
-                const Edge other = edge_of(face);
-                const float behind = dot(at - other.a, e.out), beside = dot(at - other.a, other.along);
-                if (dot(other.out, e.out) > -0.999f || behind < least || behind > k_most) continue;
-                if (beside < 0 || beside > other.length || std::fabs(other.top(beside) - top) > k_level)
-                    continue;
-                if (depth == 0 || behind < depth) depth = behind;
-            }
-        }
+    for_items_of_box(city.ground.wall_grid, at - box, at + box, [&](uint32_t item) {
+        const Face& face = city.ground.faces[item];
+        if (face.kind != FaceKind::garden_wall) return;
+        const Edge other = edge_of(face);
+        const float behind = dot(at - other.a, e.out), beside = dot(at - other.a, other.along);
+        if (dot(other.out, e.out) > -0.999f || behind < least || behind > k_most) return;
+        if (beside < 0 || beside > other.length || std::fabs(other.top(beside) - top) > k_level) return;
+        if (depth == 0 || behind < depth) depth = behind;
+    });
     return depth;
+}
+
+// Calls visit(edge, n, place, top) for places `apart` metres from each other on the level edges of walls, no
+// nearer than `end` to their ends.
+template <class Visit>
+void for_wall_places(const City& city, float apart, float end, const Visit& visit) {
+    constexpr float k_steepest = 0.04f;
+    for (const Face& face : city.ground.faces) {
+        const Edge e = edge_of(face);
+        if (face.kind != FaceKind::garden_wall || e.length < 2 * end ||
+            std::fabs(e.b_top - e.a_top) > k_steepest * e.length)
+            continue;
+        const auto count = 1 + static_cast<int>((e.length - 2 * end) / apart);
+        const float begins = 0.5f * (e.length - apart * static_cast<float>(count - 1));
+        for (int n = 0; n < count; ++n) {
+            const float from_a = begins + apart * static_cast<float>(n);
+            visit(e, n, e.a + e.along * from_a, e.top(from_a));
+        }
+    }
 }
 
 // As deep as one can sit there: on the wall, or on the ground that goes on behind it at its height; 0: one
@@ -93,33 +104,21 @@ bool is_taken_behind(const std::vector<Seat>& seats, size_t from, Vec2 at, Vec2 
 }  // namespace
 
 void add_wall_seats(const City& city, std::vector<Seat>& seats) {
-    constexpr float k_lowest = 0.35f, k_highest = 0.6f, k_steepest = 0.04f, k_before = 0.3f, k_end = 0.3f;
-    constexpr float k_most_depth = 0.4f;
+    constexpr float k_lowest = 0.35f, k_highest = 0.6f, k_before = 0.3f, k_end = 0.3f, k_most_depth = 0.4f;
     const size_t first = seats.size();
-    for (const Face& face : city.ground.faces) {
-        const Edge e = edge_of(face);
-        if (face.kind != FaceKind::garden_wall || e.length < 2 * k_end ||
-            std::fabs(e.b_top - e.a_top) > k_steepest * e.length)
-            continue;
-        const auto count = 1 + static_cast<int>((e.length - 2 * k_end) / k_apart);
-        const float begins = 0.5f * (e.length - k_apart * static_cast<float>(count - 1));
-        const uint32_t bench = next_bench(city, seats);
-        for (int n = 0; n < count; ++n) {
-            const float from_a = begins + k_apart * static_cast<float>(n), top = e.top(from_a);
-            const Vec2 at = e.a + e.along * from_a;
-            const auto ground = ground_at(city.ground, at_height(at + e.out * k_before, top - k_lowest), 0,
-                                          k_highest - k_lowest);
-            if (!ground || ground->kind == Surface::road || ground->kind == Surface::crossing ||
-                !is_walked(ground->kind) || ground->normal.y < 0.995f)
-                continue;
-            const float depth = depth_behind(city, e, at, top);
-            if (depth == 0 || is_built_over(city, e, at, top) ||
-                is_taken_behind(seats, first, at, e.out, depth))
-                continue;
-            seats.push_back({at_height(at, top), e.out, std::min(depth, k_most_depth), bench,
-                             static_cast<uint32_t>(n % 2), SeatOn::wall});
-        }
-    }
+    uint32_t bench = 0;
+    for_wall_places(city, k_apart, k_end, [&](const Edge& e, int n, Vec2 at, float top) {
+        if (n == 0) bench = next_bench(city, seats);
+        const auto ground =
+            ground_at(city.ground, at_height(at + e.out * k_before, top - k_lowest), 0, k_highest - k_lowest);
+        if (!ground || is_carriageway(ground->kind) || !is_walked(ground->kind) || ground->normal.y < 0.995f)
+            return;
+        const float depth = depth_behind(city, e, at, top);
+        if (depth == 0 || is_built_over(city, e, at, top) || is_taken_behind(seats, first, at, e.out, depth))
+            return;
+        seats.push_back({at_height(at, top), e.out, std::min(depth, k_most_depth), bench,
+                         static_cast<uint32_t>(n % 2), SeatOn::wall});
+    });
 }
 
 namespace {
@@ -194,29 +193,19 @@ void add_step_seats(const City& city, std::vector<Seat>& seats) {
 }
 
 void add_railings(const City& city, std::vector<Railing>& railings) {
-    constexpr float k_lowest = 0.9f, k_highest = 1.2f, k_steepest = 0.04f, k_before = 0.3f, k_end = 0.4f;
+    constexpr float k_lowest = 0.9f, k_highest = 1.2f, k_before = 0.3f, k_end = 0.4f;
     constexpr float k_thin = 0.05f, k_thick = 0.5f, k_beyond = 0.5f, k_drop = 1, k_each = 0.8f;
-    for (const Face& face : city.ground.faces) {
-        const Edge e = edge_of(face);
-        if (face.kind != FaceKind::garden_wall || e.length < 2 * k_end ||
-            std::fabs(e.b_top - e.a_top) > k_steepest * e.length)
-            continue;
-        const auto count = 1 + static_cast<int>((e.length - 2 * k_end) / k_each);
-        const float begins = 0.5f * (e.length - k_each * static_cast<float>(count - 1));
-        for (int n = 0; n < count; ++n) {
-            const float from_a = begins + k_each * static_cast<float>(n), top = e.top(from_a);
-            const Vec2 at = e.a + e.along * from_a;
-            const auto ground = ground_at(city.ground, at_height(at + e.out * k_before, top - k_lowest), 0,
-                                          k_highest - k_lowest);
-            if (!ground || !is_walked(ground->kind) || ground->kind == Surface::road) continue;
-            const float thick = thickness_of(city, e, at, top, k_thin);
-            if (thick == 0 || thick > k_thick) continue;
-            const auto beyond = ground_at(city.ground, at_height(at - e.out * (thick + k_beyond), top), 0,
-                                          top - ground->height + k_drop);
-            if (beyond && beyond->kind != Surface::water) continue;
-            railings.push_back({at_height(at, top), -e.out});
-        }
-    }
+    for_wall_places(city, k_each, k_end, [&](const Edge& e, int, Vec2 at, float top) {
+        const auto ground =
+            ground_at(city.ground, at_height(at + e.out * k_before, top - k_lowest), 0, k_highest - k_lowest);
+        if (!ground || !is_walked(ground->kind) || ground->kind == Surface::road) return;
+        const float thick = thickness_of(city, e, at, top, k_thin);
+        if (thick == 0 || thick > k_thick) return;
+        const auto beyond = ground_at(city.ground, at_height(at - e.out * (thick + k_beyond), top), 0,
+                                      top - ground->height + k_drop);
+        if (beyond && beyond->kind != Surface::water) return;
+        railings.push_back({at_height(at, top), -e.out});
+    });
 }
 
 }  // namespace flaneur

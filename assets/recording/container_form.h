@@ -18,15 +18,27 @@ inline constexpr uint32_t k_chunk_mark = chunk_kind("CHNK");
 
 inline uint64_t sum_of(std::string_view bytes) { return hash_bytes(0, bytes.data(), bytes.size()); }
 
-inline std::string chunk_head(const ChunkPlace& chunk) {
-    std::string bytes;
-    put_number(bytes, k_chunk_mark);
+// What a chunk is, as its head and the index have it.
+inline void put_chunk(std::string& bytes, const ChunkPlace& chunk) {
     put_number(bytes, chunk.kind);
     put_number(bytes, chunk.first);
     put_number(bytes, chunk.ticks);
     put_number(bytes, chunk.stored);
     put_number(bytes, chunk.whole);
     put_number(bytes, chunk.sum);
+}
+// False where there are too few bytes, or sizes that no chunk has.
+inline bool take_chunk(std::string_view& bytes, ChunkPlace& chunk) {
+    return take_number(bytes, chunk.kind) && take_number(bytes, chunk.first) &&
+           take_number(bytes, chunk.ticks) && take_number(bytes, chunk.stored) &&
+           take_number(bytes, chunk.whole) && take_number(bytes, chunk.sum) &&
+           chunk.whole <= k_most_chunk_bytes && chunk.stored <= chunk.whole;
+}
+
+inline std::string chunk_head(const ChunkPlace& chunk) {
+    std::string bytes;
+    put_number(bytes, k_chunk_mark);
+    put_chunk(bytes, chunk);
     put_number(bytes, chunk.offset);
     put_number(bytes, sum_of(bytes));
     return bytes;
@@ -38,14 +50,10 @@ inline std::optional<ChunkPlace> read_chunk_head(std::string_view bytes, uint64_
     uint32_t mark = 0;
     uint64_t sum = 0;
     const uint64_t true_sum = sum_of(bytes.substr(0, k_chunk_head - 8));
-    if (!take_number(bytes, mark) || !take_number(bytes, chunk.kind) || !take_number(bytes, chunk.first) ||
-        !take_number(bytes, chunk.ticks) || !take_number(bytes, chunk.stored) ||
-        !take_number(bytes, chunk.whole) || !take_number(bytes, chunk.sum) ||
-        !take_number(bytes, chunk.offset) || !take_number(bytes, sum))
+    if (!take_number(bytes, mark) || !take_chunk(bytes, chunk) || !take_number(bytes, chunk.offset) ||
+        !take_number(bytes, sum))
         return {};
-    if (mark != k_chunk_mark || sum != true_sum || chunk.offset != offset ||
-        chunk.whole > k_most_chunk_bytes || chunk.stored > chunk.whole)
-        return {};
+    if (mark != k_chunk_mark || sum != true_sum || chunk.offset != offset) return {};
     return chunk;
 }
 

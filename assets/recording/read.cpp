@@ -82,14 +82,7 @@ bool take_index(Recording& recording, uint64_t size) {
     std::vector<ChunkPlace> chunks(entries->size() / k_index_entry);
     uint64_t at = k_file_head;
     for (ChunkPlace& chunk : chunks) {
-        take_number(bytes, chunk.offset);
-        take_number(bytes, chunk.kind);
-        take_number(bytes, chunk.first);
-        take_number(bytes, chunk.ticks);
-        take_number(bytes, chunk.stored);
-        take_number(bytes, chunk.whole);
-        take_number(bytes, chunk.sum);
-        if (chunk.offset != at || chunk.whole > k_most_chunk_bytes || chunk.stored > chunk.whole)
+        if (!take_number(bytes, chunk.offset) || !take_chunk(bytes, chunk) || chunk.offset != at)
             return false;
         at += k_chunk_head + chunk.stored;
         if (at > offset) return false;

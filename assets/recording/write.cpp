@@ -93,12 +93,7 @@ Result<void> finish_recording(RecordingWriterPtr writer) {
     std::string entries;
     for (const ChunkPlace& chunk : writer->chunks) {
         put_number(entries, chunk.offset);
-        put_number(entries, chunk.kind);
-        put_number(entries, chunk.first);
-        put_number(entries, chunk.ticks);
-        put_number(entries, chunk.stored);
-        put_number(entries, chunk.whole);
-        put_number(entries, chunk.sum);
+        put_chunk(entries, chunk);
     }
     std::string tail;
     put_number(tail, writer->size);

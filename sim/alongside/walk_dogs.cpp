@@ -66,8 +66,7 @@ const Obstacle* something_to_sniff(const World& w, const Dog& dog) {
 
 bool may_stop_there(const World& w, const Dog& dog) {
     const Surface s = w.crowd.motion.under[dog.walker].kind;
-    return s != Surface::road && s != Surface::crossing && s != Surface::steps &&
-           can_be_called(w, dog.walker);
+    return !is_carriageway(s) && s != Surface::steps && can_be_called(w, dog.walker);
 }
 
 // Its owner waits while it sniffs.

@@ -84,12 +84,18 @@ struct Bearing {
     uint32_t gazes = 0;                      // 1: looks at that one, 0: ahead, or about,
     uint32_t gaze_began = 0, gaze_ends = 0;  // from this tick to that
     uint32_t holds = k_nobody;               // whose hand it has, mostly of a child,
-    uint32_t holds_side = 0;                 // with which Side of its own
+    uint32_t holds_side = 0;                 // with which of its own and in which of its: see own_side()
     float grip = 0;                          // 0: hangs .. 1: hands are in each other
     uint32_t runs_until = 0;                 // tick: a child runs ahead,
     uint32_t runs_next = 0;                  // and may do so again from then on
     uint32_t meets_next = 0;                 // tick from which on it may stop for an acquaintance
 };
+
+// Of Bearing::holds_side: a bit for its own Side, one for the other's, and one of who lets go until it has.
+inline constexpr uint32_t k_lets_go = 4;
+inline Side own_side(const Bearing& b) { return static_cast<Side>(b.holds_side & 1); }
+inline Side others_side(const Bearing& b) { return static_cast<Side>(b.holds_side >> 1 & 1); }
+inline bool lets_go(const Bearing& b) { return (b.holds_side & k_lets_go) != 0; }
 
 struct Company {
     GroupShares shares = k_no_groups;

@@ -43,11 +43,9 @@ struct Guide {
     RandomKey key(uint32_t when) const { return {seed, leader(), when, Purpose::company}; }
 };
 
-bool is_of_cars(Surface kind) { return kind == Surface::road || kind == Surface::crossing; }
-
 // Whether who stands there is in the way of who drives. Who leads waits beside the lanes of a crossing.
 bool is_among_cars(const Guide& d, NavPoint p) {
-    return is_of_cars(surface_of(d.mesh, p.polygon)) &&
+    return is_carriageway(surface_of(d.mesh, p.polygon)) &&
            (!has_traffic(d.c.roadway) || is_driven_on(*d.c.roadway.map, on_ground(p.position)));
 }
 
@@ -158,8 +156,9 @@ bool is_safe_ahead(const Guide& d, float far, NavPoint& to) {
     to = move_along(d.mesh, d.thread, from, from.position + at_height(wanted, 0));
     const NavPoint beyond = move_along(d.mesh, d.thread, to, to.position + at_height(d.g.ahead * 2.5f, 0));
     return length(on_ground(to.position - from.position) - wanted) < 0.1f &&
-           !is_of_cars(surface_of(d.mesh, to.polygon)) && !is_of_cars(surface_of(d.mesh, beyond.polygon)) &&
-           !is_of_cars(surface_of(d.mesh, from.polygon));
+           !is_carriageway(surface_of(d.mesh, to.polygon)) &&
+           !is_carriageway(surface_of(d.mesh, beyond.polygon)) &&
+           !is_carriageway(surface_of(d.mesh, from.polygon));
 }
 
 // Children of six to ten run some metres ahead now and then, and come back.
@@ -202,7 +201,7 @@ void set_pace(Guide& d, float behind, bool is_parted) {
     if (!is_parted) g.parted_since = k_never;
     if (is_parted && g.parted_since == k_never) g.parted_since = d.tick;
     const uint32_t i = d.leader();
-    const bool on_road = is_of_cars(d.c.motion.under[i].kind);
+    const bool on_road = is_carriageway(d.c.motion.under[i].kind);
     float share = lerp(1, k_slowest, clamp((behind - k_little) / (k_much - k_little), 0, 1));
     const bool expects = g.expects > 0 && length(on_ground(g.entry.position - d.at(i))) > k_out_of_the_way;
     // Not for ever: whoever leads may be what holds the other up.
@@ -247,12 +246,12 @@ void walk(Guide& d) {
 // Whether all of them can stand there.
 bool is_room_for(const Guide& d, const Circle& ring) {
     const NavPoint from = d.from();
-    const bool on_road = is_of_cars(surface_of(d.mesh, from.polygon));
+    const bool on_road = is_carriageway(surface_of(d.mesh, from.polygon));
     for (uint32_t k = 0; k < d.g.count; ++k) {
         if (k == d.g.leader) continue;
         const NavPoint to = move_along(d.mesh, d.thread, from, at_height(ring.at[k], from.position.y));
         if (length(on_ground(to.position) - ring.at[k]) > 0.08f) return false;
-        if (!on_road && is_of_cars(surface_of(d.mesh, to.polygon))) return false;
+        if (!on_road && is_carriageway(surface_of(d.mesh, to.polygon))) return false;
     }
     return true;
 }

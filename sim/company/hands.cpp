@@ -243,8 +243,8 @@ bool is_taken(const Company& company, const Group& g, uint32_t whose, Side side,
         const uint32_t m = g.members[k].index;
         const Bearing& b = company.bearings[m];
         if (m == by || !has_a_hand(b) || b.grip <= 0) continue;
-        if (m == whose && static_cast<Side>(b.holds_side & 1) == side) return true;
-        if (b.holds == whose && static_cast<Side>(b.holds_side >> 1 & 1) == side) return true;
+        if (m == whose && own_side(b) == side) return true;
+        if (b.holds == whose && others_side(b) == side) return true;
     }
     return false;
 }
@@ -252,7 +252,6 @@ bool is_taken(const Company& company, const Group& g, uint32_t whose, Side side,
 void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t group, uint32_t i,
                const std::vector<PoseBlock>& previous, std::vector<PoseBlock>& poses) {
     constexpr float k_takes = k_tick / 0.6f, k_parts = k_tick / 0.4f;
-    constexpr uint32_t k_lets_go = 4;  // of holds_side, beside both sides: until it has
     Bearing& b = company.bearings[i];
     const Holding h{c, gait, i, b.holds};
     const bool together = is_seen(c, group, i) && is_seen(c, group, b.holds);
@@ -260,12 +259,11 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
     if (b.grip <= 0)
         b.holds_side = static_cast<uint32_t>(side_of(c, i, b.holds)) |
                        static_cast<uint32_t>(side_of(c, b.holds, i)) << 1;
-    const auto own = static_cast<Side>(b.holds_side & 1), others = static_cast<Side>(b.holds_side >> 1 & 1);
+    const Side own = own_side(b), others = others_side(b);
     const Group& g = company.groups[group];
     const bool is_free =
         b.grip > 0 || (!is_taken(company, g, i, own, i) && !is_taken(company, g, b.holds, others, i));
-    const bool lets_go = (b.holds_side & k_lets_go) != 0;
-    const bool holds = together && is_free && !lets_go && can_hold(h, own, others, b.grip > 0);
+    const bool holds = together && is_free && !lets_go(b) && can_hold(h, own, others, b.grip > 0);
     b.grip = clamp(b.grip + (holds ? k_takes : -k_parts), 0, 1);
     if (b.grip <= 0 || !together || is_down(c, i) || is_down(c, b.holds)) return;
     const Met met = put_hands_together(h, own, others, smoothstep(0, 1, b.grip), previous, poses);
@@ -276,15 +274,14 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
 // Right hands of two who greet each other, whose arms are bent.
 void shake_hands(Company& company, const Group& g, const Crowd& c, const Gait& gait, uint32_t tick,
                  std::vector<PoseBlock>& poses) {
-    constexpr float k_reaches = k_tick / 0.5f, k_lets_go = k_tick / 0.5f, k_nearest = 0.6f,
-                    k_farthest = 1.25f;
+    constexpr float k_reaches = k_tick / 0.5f, k_parts = k_tick / 0.5f, k_nearest = 0.6f, k_farthest = 1.25f;
     constexpr float k_low = 0.62f, k_deep = 0.028f, k_hertz = 2.3f;  // of an arm; metres
     const uint32_t a = g.members[0].index, b = g.members[1].index;
     float& share = company.bearings[a].grip;
     const float far = length(on_ground(c.motion.position[b] - c.motion.position[a]));
     const bool shakes = g.stage == Encounter::greets && g.shakes_hands != 0 && far > k_nearest &&
                         far < k_farthest && has_hand_for(gait, a, k_right) && has_hand_for(gait, b, k_right);
-    share = clamp(share + (shakes ? k_reaches : -k_lets_go), 0, 1);
+    share = clamp(share + (shakes ? k_reaches : -k_parts), 0, 1);
     if (share <= 0 || is_down(c, a) || is_down(c, b)) return;
     const Holding h{c, gait, a, b};
     BodyPose one = body_pose_of(poses, a), other = body_pose_of(poses, b);

@@ -26,8 +26,6 @@ bool know_each_other(const Company& company, uint32_t a, uint32_t b, uint64_t se
     return random_unit(key, 80) < company.acquaintances;
 }
 
-bool is_of_cars(Surface kind) { return kind == Surface::road || kind == Surface::crossing; }
-
 // Who goes alone about an errand, in full view, and has time.
 bool can_stop(const Company& company, const Crowd& c, std::span<const Folk> folk, uint32_t i, uint32_t tick) {
     constexpr float k_least = 0.5f;  // m/s
@@ -37,7 +35,7 @@ bool can_stop(const Company& company, const Crowd& c, std::span<const Folk> folk
            c.at_once[i / k_block] == 1 && c.way_back[i].polygon == 0 && i != c.driven.walker &&
            c.identity.ahead[i] == 0 && folk[c.identity.body[i]].age >= k_never_alone && !is_down(c, i) &&
            !own_of(c.called, i) && !passage_of(c, i) && !waits_at_kerb(c.kerbs, i) &&
-           !is_of_cars(c.motion.under[i].kind) && length(c.motion.velocity[i]) > k_least;
+           !is_carriageway(c.motion.under[i].kind) && length(c.motion.velocity[i]) > k_least;
 }
 
 // Places about a middle, each for who is nearest to it.
@@ -60,7 +58,7 @@ bool set_places(Crowd& c, const Navmesh& mesh, Group& g, Vec2 middle, Vec2 from)
         const Vec3 there = at_height(places[best[k]], c.motion.position[i].y);
         const auto place = nearest(mesh, 0, there, {0.1f, 1.5f, 0.1f});
         if (!place || length(on_ground(place->position) - places[best[k]]) > 0.05f ||
-            is_of_cars(surface_of(mesh, place->polygon)) || !is_clear(mesh, c.motion.position[i], there))
+            is_carriageway(surface_of(mesh, place->polygon)) || !is_clear(mesh, c.motion.position[i], there))
             return false;
     }
     g.middle = middle;

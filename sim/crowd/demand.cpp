@@ -57,10 +57,7 @@ static int kind_at(const float (&shares)[k_destination_count], float drawn) {
 
 // Nobody stands on a carriageway because a stop is beside it.
 static NavPoint place_beside(const Navmesh& mesh, int thread, const Attraction& a, int kind, RandomKey key) {
-    auto is_road = [&](const NavPoint& p) {
-        const Surface surface = surface_of(mesh, p.polygon);
-        return surface == Surface::road || surface == Surface::crossing;
-    };
+    auto is_road = [&](const NavPoint& p) { return is_carriageway(surface_of(mesh, p.polygon)); };
     const Vec2 aside =
         heading_direction(random_between(key, -k_pi, k_pi, 2)) * (k_spread[kind] * random_unit(key, 3));
     for (const Vec2 by : {aside, aside * -1}) {

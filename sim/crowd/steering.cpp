@@ -354,8 +354,8 @@ static float side_to_make_room(const CrowdScratch& s, const Deciders& d, int lan
 // as others let one would end in such a corner.
 static Vec2 round_who_stands(const Crowd& c, const Navmesh& mesh, int thread, const Deciders& d, int lane,
                              Vec2 wanted) {
-    constexpr float k_held = 0.1f, k_goes = 0.5f, k_before = 0.8f, k_in_front = 0.5f,
-                    k_aside = 0.7f;            // m/s; metres; cosine
+    constexpr float k_held = 0.1f, k_goes = 0.5f, k_before = 0.8f, k_in_front = 0.5f, k_aside = 0.7f,
+                    k_same = 0.03f;            // m/s; metres; cosine; metres
     constexpr float k_turn = 75 * k_pi / 180;  // radians
     const Seen& me = c.scratch.seen.all[d.at[lane]];
     const float speed = length(wanted);
@@ -373,7 +373,7 @@ static Vec2 round_who_stands(const Crowd& c, const Navmesh& mesh, int thread, co
             const Vec2 aside = heading_direction(yaw - side * k_turn) * k_aside;
             const NavPoint from{me.position, c.motion.polygon[me.id]};
             const NavPoint to = move_along(mesh, thread, from, me.position + at_height(aside, 0));
-            if (length(on_ground(to.position - me.position) - aside) < k_stands)
+            if (length(on_ground(to.position - me.position) - aside) < k_same)
                 return aside * (speed / k_aside);
         }
     }

@@ -45,6 +45,18 @@ inline CellRange cells_of_box(const Grid& grid, Vec2 low, Vec2 high) {
             grid_column(high.z - grid.origin.z, grid.cell, grid.height)};
 }
 
+// Calls visit(item) for what lies in the cells that a box touches, once for each of these that it lies in.
+template <class Visit>
+void for_items_of_box(const Grid& grid, Vec2 low, Vec2 high, Visit visit) {
+    const CellRange r = cells_of_box(grid, low, high);
+    for (int z = r.z0; z <= r.z1; ++z) {
+        const size_t row =
+            static_cast<size_t>(z) * static_cast<size_t>(grid.width);  // cells lie side by side
+        const uint32_t end = grid.first[row + static_cast<size_t>(r.x1) + 1];
+        for (uint32_t k = grid.first[row + static_cast<size_t>(r.x0)]; k < end; ++k) visit(grid.items[k]);
+    }
+}
+
 // Lists `count` items by cell, in rising order. for_cells(item, visit) calls visit(cell) for each cell of the
 // item.
 template <class ForCells>

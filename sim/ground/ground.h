@@ -16,6 +16,8 @@ namespace flaneur {
 enum class Surface : uint8_t { road, sidewalk, crossing, plaza, path, steps, grass, water, track };
 inline constexpr int k_surface_count = 9;
 inline bool is_walked(Surface s) { return s != Surface::water && s != Surface::track; }
+// Where one drives, with what is marked there for people to cross.
+inline bool is_carriageway(Surface s) { return s == Surface::road || s == Surface::crossing; }
 
 // What a vertical face is. Facades and garden walls stop walkers and can be touched; kerbs and risers are
 // stepped over.

@@ -195,8 +195,7 @@ KerbMap make_kerb_map(Crossings crossings, const Navmesh& mesh) {
                 const auto place = nearest(mesh, 0, at_height(at, c.centre.y), {0.2f, 1.5f, 0.2f});
                 if (!place || length(on_ground(place->position) - at) > 0.02f) continue;
                 const Surface kind = surface_of(mesh, place->polygon);
-                if (kind != Surface::road && kind != Surface::crossing)
-                    map.spots.push_back({at, back, aside});
+                if (!is_carriageway(kind)) map.spots.push_back({at, back, aside});
             }
         }
         map.first.push_back(static_cast<uint32_t>(map.spots.size()));

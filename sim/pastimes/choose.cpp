@@ -223,7 +223,7 @@ bool looks_up(const PastimeTick& t, const Candidate& c) {
     if (!closest_wall(t.around, {wall->point.x, c.at.y + k_high, wall->point.z}, 0.5f)) return false;
     const NavPoint to = soon_at(t, c);
     const Surface kind = surface_of(t.mesh, to.polygon);
-    if (kind == Surface::road || kind == Surface::crossing) return false;
+    if (is_carriageway(kind)) return false;
     Pastime& p = send(t, c, Staying::marvels, on_ground(to.position),
                       normalize_or(on_ground(wall->point - to.position), way),
                       random_between(key, k_least, k_most, 62));

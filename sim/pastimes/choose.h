@@ -32,17 +32,10 @@ template <class Visit>
 void for_near(const PlaceIndex& index, Vec2 at, float reach, Visit visit) {
     if (index.places.empty()) return;
     const Vec2 box{reach, reach};
-    const CellRange r = cells_of_box(index.grid, at - box, at + box);
-    for (int z = r.z0; z <= r.z1; ++z)
-        for (int x = r.x0; x <= r.x1; ++x) {
-            const size_t cell =
-                static_cast<size_t>(z) * static_cast<size_t>(index.grid.width) + static_cast<size_t>(x);
-            for (uint32_t k = index.grid.first[cell]; k < index.grid.first[cell + 1]; ++k) {
-                const uint32_t item = index.grid.items[k];
-                const float far = length(index.places[item] - at);
-                if (far < reach) visit(item, far);
-            }
-        }
+    for_items_of_box(index.grid, at - box, at + box, [&](uint32_t item) {
+        const float far = length(index.places[item] - at);
+        if (far < reach) visit(item, far);
+    });
 }
 
 // One sits down on a seat near it, or puts the hands on a railing, by chance: whether it does.

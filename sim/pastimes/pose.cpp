@@ -46,6 +46,11 @@ float share_of(const Pastime& p, uint32_t tick, float lasts) {
     }
 }
 
+// Each a little after another.
+void breathe_by_itself(const PastimeTick& t, const Pastime& p, float share, BodyPose& pose) {
+    breathe(pose, static_cast<float>(t.tick) * k_tick + static_cast<float>(p.walker % 16), share);
+}
+
 void pose_seated(const PastimeTick& t, const Pastime& p, Someone who, BodyPose& pose) {
     constexpr float k_shifts = 1.6f;  // seconds
     const float share = share_of(p, t.tick, k_sits_down);
@@ -59,7 +64,7 @@ void pose_seated(const PastimeTick& t, const Pastime& p, Someone who, BodyPose& 
                                   gait_foot(t, pose, who, p.walker, k_right)};
         pose = sitting_down(pose, stands, seated, who, share * k_sits_down);
     }
-    breathe(pose, static_cast<float>(t.tick) * k_tick + static_cast<float>(p.walker % 16), share);
+    breathe_by_itself(t, p, share, pose);
 }
 
 void pose_leaning(const PastimeTick& t, const Pastime& p, Someone who, BodyPose& pose) {
@@ -68,7 +73,7 @@ void pose_leaning(const PastimeTick& t, const Pastime& p, Someone who, BodyPose&
     const FootAt stands[2] = {gait_foot(t, pose, who, p.walker, k_left),
                               gait_foot(t, pose, who, p.walker, k_right)};
     pose = leaning_back(pose, stands, who, {p.at, p.facing}, p.posture % 3, share);
-    breathe(pose, static_cast<float>(t.tick) * k_tick + static_cast<float>(p.walker % 16), share);
+    breathe_by_itself(t, p, share, pose);
 }
 
 // From the pose in which it came to stand there: the gait may step meanwhile.

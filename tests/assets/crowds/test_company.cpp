@@ -78,8 +78,7 @@ TEST(Company, WalksAsPeopleDo) {
                 const Bearing& b = w.company.bearings[i];
                 if (b.holds != k_nobody) ++hold_ticks;
                 if (b.holds != k_nobody && b.grip >= 1) {
-                    const float off = length(touch(w, i, static_cast<Side>(b.holds_side & 1)) -
-                                             touch(w, b.holds, static_cast<Side>(b.holds_side >> 1)));
+                    const float off = length(touch(w, i, own_side(b)) - touch(w, b.holds, others_side(b)));
                     worst_grip = std::max(worst_grip, off), grip_sum += off, ++grips;
                 }
                 const Group* g = group_of(w.company, w.crowd, i);

@@ -51,6 +51,17 @@ void expect_within(const Off& off, const MotionBound& bound) {
 }
 
 // The real thing: people of a district, some of whom are pushed and fall; from tick to tick, chunk by chunk.
+// Of people in a block, 48 ticks from tick 1000 on, each against the block that it was.
+template <class Was>
+Off off_of(const MotionChunk& motion, const std::vector<BoneTree>& trees, uint32_t people, const Was& was) {
+    Off off;
+    MotionPose pose;
+    for (uint32_t i = 0; i < people; ++i)
+        for (uint32_t t = 0; t < 48; ++t)
+            if (pose_at(motion, i, trees, 1000 + t, pose)) compare(was(t), static_cast<int>(i), pose, off);
+    return off;
+}
+
 TEST(Motion, OfACrowdIsWithinTheBoundAtEveryTick) {
     const auto city = std::make_shared<const City>(generate_district({1, 1}));
     WorldOptions options;
@@ -152,12 +163,8 @@ TEST(Motion, IsWithinOtherBoundsToo) {
         last = e.bytes.size();
         const Result<MotionChunk> motion = decoded(e.bytes, *frames, trees);
         ASSERT_TRUE(motion);
-        Off off;
-        MotionPose pose;
-        for (uint32_t i = 0; i < 5; ++i)
-            for (uint32_t t = 0; t < 48; ++t)
-                if (pose_at(*motion, i, trees, 1000 + t, pose))
-                    compare(poses[t][0], static_cast<int>(i), pose, off);
+        const Off off =
+            off_of(*motion, trees, 5, [&](uint32_t t) -> const PoseBlock& { return poses[t][0]; });
         expect_within(off, bound);
     }
 }
@@ -185,12 +192,7 @@ TEST(Motion, OfThoseWhoHardlyMoveCostsLittle) {
     EXPECT_LT(eighth.bytes.size() * 4, all * 3);
     const Result<MotionChunk> motion = decoded(eighth.bytes, *frames, trees);
     ASSERT_TRUE(motion);
-    Off off;
-    MotionPose pose;
-    for (uint32_t i = 0; i < 16; ++i)
-        for (uint32_t t = 0; t < 48; ++t)
-            if (pose_at(*motion, i, trees, 1000 + t, pose))
-                compare(poses[t / 8 * 8][0], static_cast<int>(i), pose, off);
+    Off off = off_of(*motion, trees, 16, [&](uint32_t t) -> const PoseBlock& { return poses[t / 8 * 8][0]; });
     expect_within(off, k_bound);
     for (uint32_t t = 0; t < 48; ++t) frames->frames[t].blocks = frames->frames[0].blocks;
     const EncodedMotion still = encoded(*frames, trees);
@@ -205,6 +207,7 @@ TEST(Motion, OfThoseWhoHardlyMoveCostsLittle) {
     EXPECT_FALSE(decode_means(later.bytes, 1000, 48, trees));
     const Result<MotionChunk> read = decoded(later.bytes, *frames, trees, &*means);
     ASSERT_TRUE(read) << read.error().message;
+    MotionPose pose;
     for (uint32_t i = 0; i < 16; ++i)
         if (pose_at(*read, i, trees, 1047, pose)) compare(poses[0][0], static_cast<int>(i), pose, off);
     expect_within(off, k_bound);

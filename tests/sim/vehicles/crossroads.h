@@ -76,4 +76,14 @@ inline std::unique_ptr<World> make_busy(const WorldOptions& options) {
     return std::move(*world);
 }
 
+// Its first walker stands at a place for good; where it cannot, the test fails.
+inline void stand_at(World& w, Vec3 spot) {
+    const auto place = nearest(*w.navmesh, 0, spot);
+    ASSERT_TRUE(place);
+    w.crowd.motion.position[0] = spot;
+    w.crowd.motion.polygon[0] = place->polygon;
+    w.crowd.journeys[0] = {};
+    w.crowd.journeys[0].errand = Errand::arrive;
+}
+
 }  // namespace flaneur

@@ -178,13 +178,7 @@ TEST(Trams, StopForOneWhoStandsOnTheRails) {
     options.destinations.clear();
     const auto world = make_busy(options);
     World& w = *world;
-    const Vec3 spot{k_track, 0, 3};
-    const auto place = nearest(*w.navmesh, 0, spot);
-    ASSERT_TRUE(place);
-    w.crowd.motion.position[0] = spot;
-    w.crowd.motion.polygon[0] = place->polygon;
-    w.crowd.journeys[0] = {};
-    w.crowd.journeys[0].errand = Errand::arrive;
+    ASSERT_NO_FATAL_FAILURE(stand_at(w, {k_track, 0, 3}));
     const TrafficTally seen = watch_traffic(w, 90 * 60);
     print("one stands on the rails", seen);
     EXPECT_LT(seen.into_people, 0);

@@ -116,12 +116,7 @@ TEST(Vehicles, LetAPersonOverAndStopForOneWhoLies) {
     Vec3 spot{16, 0, 2};
     auto is_taken = [&](const VehicleBox& box) { return off_box(box, on_ground(spot)).far < 8; };
     while (spot.x < 60 && std::ranges::any_of(w.crowd.roadway.boxes, is_taken)) spot.x += 1;
-    const auto place = nearest(*w.navmesh, 0, spot);
-    ASSERT_TRUE(place);
-    w.crowd.motion.position[0] = spot;
-    w.crowd.motion.polygon[0] = place->polygon;
-    w.crowd.journeys[0] = {};
-    w.crowd.journeys[0].errand = Errand::arrive;
+    ASSERT_NO_FATAL_FAILURE(stand_at(w, spot));
     const TrafficTally seen = watch_traffic(w, 40 * 60);
     print("one stands", seen);
     EXPECT_LT(seen.into_people, 0);

@@ -35,7 +35,7 @@ float hands_apart(const World& w, uint32_t i) {
         const Someone body{w.gait.people[who / k_block], static_cast<int>(who % k_block)};
         return palm_of(body_pose_of(w.poses, who), body, side).place;
     };
-    const Vec3 held = palm(i, static_cast<Side>(own.holds_side & 1));
+    const Vec3 held = palm(i, own_side(own));
     return std::min(length(palm(own.holds, k_left) - held), length(palm(own.holds, k_right) - held));
 }
 

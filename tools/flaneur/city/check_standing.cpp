@@ -30,11 +30,7 @@ bool has_feet(const World& w, uint32_t i) {
 }
 
 Vec3 joint_of(const World& w, uint32_t i, int joint) {
-    const PoseBlock& block = w.poses[i / k_block];
-    const auto lane = static_cast<size_t>(lane_of(i));
-    const auto& p = block.position[joint];
-    return {block.origin[0][lane] + p[0][lane], block.origin[1][lane] + p[1][lane],
-            block.origin[2][lane] + p[2][lane]};
+    return joint_between(w, i, static_cast<Joint>(joint), 1).position;
 }
 
 void note_joints(const World& w, uint32_t i, Stand& s) {
