@@ -330,7 +330,7 @@ void mind_falls(World& w) {
 
 void pose_bystanders(World& w) {
     constexpr float k_turns = 3.2f * k_tick, k_heeds = k_tick / 0.35f, k_bends = k_tick / 0.7f,
-                    k_reaches = k_tick / 0.45f, k_lets_go = k_tick / 0.5f;
+                    k_reaches = k_tick / 0.45f, k_draws_back = k_tick / 0.5f;
     constexpr float k_elbows = 0.16f;  // radians a tick
     for (Bystander& b : w.bystanders.all) {
         if (is_down(w.crowd, b.walker)) {
@@ -365,8 +365,8 @@ void pose_bystanders(World& w) {
         turn_head(pose, b.gaze, smoothstep(0, 1, b.heed));
 
         const bool pulls = minds && b.does == Concern::pulls;
-        come_nearer(b.reach, helps ? 1 : 0, helps ? k_reaches : k_lets_go);
-        come_nearer(b.holds, pulls ? 1 : 0, pulls ? k_reaches : k_lets_go);
+        come_nearer(b.reach, helps ? 1 : 0, helps ? k_reaches : k_draws_back);
+        come_nearer(b.holds, pulls ? 1 : 0, pulls ? k_reaches : k_draws_back);
         b.has_hold = 0;
         if (b.reach > 0) {
             BodyPose held = other;

@@ -17,21 +17,40 @@ namespace flaneur {
 struct Sighting {
     uint32_t frame = 0, id = 0;
     Vec2 at;
-    float height = 0;  // of the ground; of the head in files of PeTrack
+    float height = 0;  // as Trajectories::heights says
     Vec2 facing;       // unit; (0, 0): not known
 };
 
+// What the heights of a file are: of nothing (places on a plane), of the ground, or of heads, as overhead
+// cameras have them.
+enum class HeightsOf : uint8_t { nothing, ground, heads };
+
+enum class TrackedKind : uint8_t { person, bicycle, car, van, bus, tram };
+// What a file tells of one of its ids, other than where it is.
+struct Tracked {
+    uint32_t id = 0;
+    std::string name;  // where ids are words
+    TrackedKind kind = TrackedKind::person;
+    float length = 0, width = 0, height = 0;  // metres; 0: not known
+};
+
 // An outline, and those of what nobody can stand on in it. Either way round; the last corner is not the first
-// one again.
+// one again. At a place it is `level + rise.x * at.x + rise.y * at.y` high.
 struct WalkablePolygon {
     std::vector<Vec2> outer;
     std::vector<std::vector<Vec2>> holes;
+    float level = 0;
+    Vec2 rise{};
 };
 
 struct Trajectories {
-    float fps = 25;                     // frames a second; frame f is f / fps seconds after frame 0
-    std::vector<Sighting> sightings;    // by frame, then by id; nobody is twice in a frame
-    std::vector<WalkablePolygon> area;  // where people can be; empty: the file does not say
+    float fps = 25;                   // frames a second; frame f is f / fps seconds after frame 0
+    std::vector<Sighting> sightings;  // by frame, then by id; nobody is twice in a frame
+    HeightsOf heights = HeightsOf::nothing;
+    std::vector<Tracked> tracked;          // by id; who is not in it is a person of unknown size
+    std::vector<WalkablePolygon> area;     // where people can be; empty: the file does not say
+    std::vector<std::vector<Vec2>> walls;  // lines that nobody crosses, and that no outline has
+    std::vector<std::string> assumed;      // sentences: what was not in the file, and why it was taken so
 };
 
 inline constexpr size_t k_most_sightings = 20'000'000;
