@@ -19,7 +19,7 @@ namespace {
 
 constexpr float k_usual_height = 1.72f;  // metres
 constexpr float k_stroke = 1.02f;        // metres that one push takes it, of a chair of size 1
-constexpr float k_from = -0.62f;         // radians ahead of the top of the rim, where hands take it
+constexpr float k_from = -0.22f;         // radians ahead of the top of the rim, where hands take it
 constexpr float k_casters = 0.42f;       // metres ahead of the axle
 constexpr float k_rides = 10;            // 1/s, critically damped
 
@@ -153,7 +153,7 @@ void sit_in_chair(const World& w, const Chair& c, BodyPose& pose) {
         const Vec3 palm{out * (0.5f * k_chair_track + 0.018f + hand.out),
                         k_chair_wheel + k_chair_rim * at.cosine + hand.up, k_chair_rim * at.sine};
         bring_palm(pose, h, side, to_world(chair, palm * size),
-                   rotate(chair.turn, Vec3{0.9f * out, 0.1f, -1}), 1);
+                   rotate(chair.turn, Vec3{1.4f * out, 0.1f, -1}), 1);
     }
 }
 

@@ -128,7 +128,7 @@ bool can_hold(const Holding& h, Side child_side, Side adult_side, bool held) {
     const float on = std::fabs(dot(on_ground(off), ahead)), aside = std::fabs(cross(on_ground(off), ahead));
     return side_of(c, h.child, h.adult) == child_side && side_of(c, h.adult, h.child) == adult_side &&
            far > k_nearest && far < (held ? k_still : k_farthest) && turned < (held ? 1.3f : 0.8f) &&
-           on < (held ? 1.2f : 1.0f) * k_beside && aside > (held ? 0.8f : 1.0f) * k_abreast &&
+           on < (held ? 1.0f : 0.9f) * k_beside && aside > (held ? 0.8f : 1.0f) * k_abreast &&
            std::fabs(off.y) < k_level;
 }
 
@@ -137,26 +137,31 @@ bool can_hold(const Holding& h, Side child_side, Side adult_side, bool held) {
 Vec3 meeting_place(const Holding& h, Vec3 adult_shoulder, Vec3 child_shoulder, Vec3 adult_palm,
                    Vec3 child_palm) {
     constexpr float k_hangs = 0.94f, k_midway = 0.5f, k_near_adult = 0.22f, k_taller = 0.4f;
-    constexpr float k_swing = 0.3f, k_ahead = 0.05f;
+    constexpr float k_swing = 0.3f, k_ahead = 0.05f, k_above = 0.1f;
     const float adult_reach = reach_of_arm(h.of(h.adult).person, lane_of(h.adult)),
                 child_reach = reach_of_arm(h.of(h.child).person, lane_of(h.child));
     const Vec2 ahead = heading_direction(h.c.motion.heading[h.adult]);
     const Vec2 between = on_ground(child_shoulder - adult_shoulder);
     const float swing = 0.5f * (dot(on_ground(adult_palm - adult_shoulder), ahead) +
                                 dot(on_ground(child_palm - child_shoulder), ahead));
-    // As low as the arm of the taller one hangs, and nearer to that.
+    // As low as the arm of the taller one hangs, and nearer to that; no higher than the child's shoulder.
     const float taller = clamp((adult_shoulder.y - child_shoulder.y) / k_taller, 0, 1);
-    const float height =
+    const float lowest =
         std::max(adult_shoulder.y - k_hangs * adult_reach, child_shoulder.y - k_hangs * child_reach);
+    const float height = std::min(lowest, child_shoulder.y + k_above * child_reach);
     Vec3 meets = at_height(on_ground(adult_shoulder) + between * lerp(k_midway, k_near_adult, taller) +
                                ahead * (k_ahead + k_swing * swing),
                            height);
-    // Close by a small child's shoulder it is before it, or the arm would be folded up.
-    constexpr float k_folds = 0.62f;
-    const Vec3 off = meets - child_shoulder, before = at_height(ahead, 0);
-    const float least = k_folds * child_reach, along = dot(off, before);
-    const float lacks = least * least - length_squared(off);
-    if (lacks > 0) meets += before * (std::sqrt(along * along + lacks) - along);
+    // Close by a shoulder it is before it, or the arm would be folded up; and no arm goes far back.
+    auto bring_before = [&](Vec3 shoulder, float heading, float back, float least) {
+        const Vec3 way = at_height(heading_direction(heading), 0);
+        const Vec3 off = meets - shoulder;
+        const float along = dot(off, way), lacks = least * least - length_squared(off);
+        const float folded = lacks > 0 ? std::sqrt(along * along + lacks) - along : 0;
+        meets += way * std::max(folded, -back - along);
+    };
+    bring_before(adult_shoulder, h.c.motion.heading[h.adult], 0.5f * adult_reach, 0.8f * adult_reach);
+    bring_before(child_shoulder, h.c.motion.heading[h.child], -0.06f * child_reach, 0.72f * child_reach);
     for (int pass = 0; pass < 4; ++pass)
         for (const bool of_adult : {true, false}) {
             const Vec3 from = of_adult ? adult_shoulder : child_shoulder;
@@ -167,11 +172,10 @@ Vec3 meeting_place(const Holding& h, Vec3 adult_shoulder, Vec3 child_shoulder, V
 }
 
 // The joints of an arm that has been set anew from its shoulder on.
-void write_arm(std::vector<PoseBlock>& poses, Someone who, uint32_t i, Side side, const BodyPose& pose,
-               Vec3 shoulder) {
+void write_arm(std::vector<PoseBlock>& poses, Someone who, uint32_t i, Side side, const BodyPose& pose) {
     const int first = side == k_left ? left_upper_arm : right_upper_arm;
     Posed at{poses[i / k_block], i % k_block};
-    Vec3 place = shoulder - at.origin();
+    Vec3 place = at.place_os(first);
     for (int j = first; j < first + 3; ++j) {
         const Quat turn = pose.rotation[static_cast<size_t>(j)];
         at.set(j, place, turn);
@@ -193,8 +197,9 @@ Vec3 elbow_of(const BodyPose& pose, Side side, Vec3 way) {
     if (to.y > k_highest) to = normalize_or({to.x, k_highest, to.z + to.y - k_highest}, {0, 0, 1});
     const Vec3 axis = cross(k_hangs, to);
     const float cosine = dot(k_hangs, to);
-    return k_points * cosine + cross(axis, k_points) +
-           axis * (dot(axis, k_points) / std::max(1 + cosine, 0.05f));
+    const Vec3 turned = k_points * cosine + cross(axis, k_points) +
+                        axis * (dot(axis, k_points) / std::max(1 + cosine, 0.05f));
+    return turned + k_hangs * (1.5f * std::max(1 - cosine, 0.0f));
 }
 
 // Whether hands can meet, where all of `share` is put on it, and whether arms had the time to.
@@ -222,8 +227,8 @@ Met put_hands_together(const Holding& h, Side child_side, Side adult_side, float
               elbow_of(adult, adult_side, meets - of_adult.shoulder), share);
     reach_for(child, small, child_side, {meets, square(-faces, childs), childs},
               elbow_of(child, child_side, meets - of_child.shoulder), share);
-    write_arm(poses, grown, h.adult, adult_side, adult, of_adult.shoulder);
-    write_arm(poses, small, h.child, child_side, child, of_child.shoulder);
+    write_arm(poses, grown, h.adult, adult_side, adult);
+    write_arm(poses, small, h.child, child_side, child);
     constexpr float k_touch = 0.008f, k_most = 12 * k_tick;  // metres; radians
     const float apart =
         length(palm_of(adult, grown, adult_side).place - palm_of(child, small, child_side).place);
@@ -235,6 +240,18 @@ Met put_hands_together(const Holding& h, Side child_side, Side adult_side, float
     slow(h.adult, adult_side);
     slow(h.child, child_side);
     return met;
+}
+
+// Arms that let go hang again in their own time. Whether they do.
+bool part_hands(const Holding& h, Side child_side, Side adult_side, const std::vector<PoseBlock>& previous,
+                std::vector<PoseBlock>& poses) {
+    constexpr float k_most = 6 * k_tick;  // radians
+    auto is_late = [&](uint32_t i, Side side) {
+        return slow_arm({previous[i / k_block], i % k_block}, {poses[i / k_block], i % k_block}, side,
+                        k_most);
+    };
+    const bool childs = is_late(h.child, child_side), adults = is_late(h.adult, adult_side);
+    return !childs && !adults;
 }
 
 // Whether a hand of one of the group is already in that of somebody other than `by`.
@@ -264,8 +281,13 @@ void hold_hand(Company& company, const Crowd& c, const Gait& gait, uint32_t grou
     const bool is_free =
         b.grip > 0 || (!is_taken(company, g, i, own, i) && !is_taken(company, g, b.holds, others, i));
     const bool holds = together && is_free && !lets_go(b) && can_hold(h, own, others, b.grip > 0);
+    const float before = b.grip;
     b.grip = clamp(b.grip + (holds ? k_takes : -k_parts), 0, 1);
-    if (b.grip <= 0 || !together || is_down(c, i) || is_down(c, b.holds)) return;
+    if (std::max(before, b.grip) <= 0 || !together || is_down(c, i) || is_down(c, b.holds)) return;
+    if (!holds) {
+        if (!part_hands(h, own, others, previous, poses)) b.grip = std::max(b.grip, k_parts);
+        return;
+    }
     const Met met = put_hands_together(h, own, others, smoothstep(0, 1, b.grip), previous, poses);
     if (!met.can) b.holds_side |= k_lets_go;
     if (!met.can || !met.yet) b.grip = std::min(b.grip, 1 - k_takes);

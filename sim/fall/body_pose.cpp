@@ -88,9 +88,10 @@ void set_body_pose(std::vector<PoseBlock>& poses, const PersonBlock& person, siz
                    const BodyPose& to) {
     Posed pose{poses[walker / k_block], walker % k_block};
     const auto lane = static_cast<int>(pose.lane);
-    const Vec3 origin = pose.origin();
-    const auto places = places_of(to, person, lane);
-    for (int j = 0; j < k_joint_count; ++j) pose.set(j, places[j] - origin, to.rotation[j]);
+    BodyPose from_origin = to;  // far from the world's, metres are coarser than bones may be
+    from_origin.hips -= pose.origin();
+    const auto places = places_of(from_origin, person, lane);
+    for (int j = 0; j < k_joint_count; ++j) pose.set(j, places[j], to.rotation[j]);
 }
 
 BodyPose mixed(const BodyPose& from, const BodyPose& to, float t) {

@@ -60,7 +60,7 @@ void call_by_phone(BodyPose& pose, Someone who, float share, bool both, float se
     const Vec3 right = rotate(skull, {-1, 0, 0});
     const Vec3 faces = normalize_or(-right - rotate(skull, {0, 0, 0.22f}), -right);
     reach_for(pose, who, k_right,
-              palm_at(ear + right * k_off_ear, faces, rotate(skull, {0.15f, 0.8f, -0.65f})),
+              palm_at(ear + right * k_off_ear, faces, rotate(skull, {0.15f, 0.65f, -0.85f})),
               {0.5f, -0.9f, 0.5f}, share);
     if (!both) return;
     // Now and then the other hand says something too.

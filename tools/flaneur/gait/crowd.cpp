@@ -33,6 +33,7 @@ bool finite(const JointPose& p) {
 void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
     const PersonBlock& person = world.gait.people[i / k_block];
     size_t lane = i % k_block;
+    const bool runs = world.gait.blocks[i / k_block].running[lane] > 0;
     JointPose poses[k_joint_count];
     for (size_t j = 0; j < k_joint_count; ++j) {
         auto joint = static_cast<Joint>(j);
@@ -49,8 +50,9 @@ void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
         JointWatch& seen = watch.joints[j];
         if (watch.seen) {
             float spin = angle_between(seen.last, against) / k_tick;
-            seen.jumps += spin > k_jump;
-            if (spin > seen.spin) {
+            const bool may = runs && j >= left_upper_leg && spin <= k_jump_running;
+            seen.jumps += !may && spin > k_jump;
+            if (!may && spin > seen.spin) {
                 seen.spin = spin;
                 seen.spin_tick = world.tick;
             }

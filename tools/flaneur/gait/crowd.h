@@ -8,14 +8,16 @@
 
 namespace flaneur {
 
-inline constexpr float k_jump = 900;  // degrees a second against the parent; a faster joint has jumped
+// Degrees a second against the parent; a faster joint has jumped. The second is of legs of those who run:
+// they are let go as fast as a sprinter's knees do, and a degree in a tick more is rounding.
+inline constexpr float k_jump = 900, k_jump_running = 1260;
 
 // One joint of one walker, over its ticks.
 struct JointWatch {
     Quat last;       // rotation against the parent
-    float spin = 0;  // fastest turn of it, degrees a second,
+    float spin = 0;  // fastest turn of it, degrees a second, but for what runners' legs may,
     uint32_t spin_tick = 0;
-    uint32_t jumps = 0;  // ticks in which it was faster than k_jump
+    uint32_t jumps = 0;  // ticks in which it jumped
     float beyond = 0;    // most degrees beyond its limits,
     uint32_t beyond_tick = 0;
     uint32_t outside = 0;  // ticks in which it was
