@@ -47,7 +47,8 @@ static constexpr uint8_t k_door_tries = 4;     // until one leaves where it stan
 static constexpr float k_by_door = 1.1f;       // m/s, at most, of one who goes through a door
 static constexpr float k_door_ahead = 0.4f;    // metres, that it looks ahead
 static constexpr float k_for_others = 0.5f;    // of the pace, below which one rather waits for others
-static constexpr Stay k_stroll_stay{1.5f, 6};  // at a goal without a name
+static constexpr float k_stands_for_them = 0.2f;  // and as good as stands
+static constexpr Stay k_stroll_stay{1.5f, 6};     // at a goal without a name
 
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
@@ -394,9 +395,9 @@ static WayWish go_by_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i,
                           uint64_t seed) {
     Journey& j = c.journeys[i];
     Heed heed;
-    // Who leads others goes as they can, and is not held up by them.
+    // Who leads others goes as they can, and is not held up by them where it waits.
     const float pace = c.fellows.empty() || c.fellows[i].leads == 0 ? 1 : c.fellows[i].pace;
-    if (pace < k_for_others) j.closest_tick = tick;
+    if (pace < k_stands_for_them) j.closest_tick = tick;
     if (minds_lamps(c.kerbs)) {
         const float ahead = c.identity.ahead[i];
         const PathGoer goer{.at = c.motion.position[i],
