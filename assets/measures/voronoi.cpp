@@ -37,7 +37,7 @@ std::vector<Vec2> of_clipper(const ClipperLib::Path& path) {
     return ring;
 }
 
-double area_in(std::span<const std::vector<Vec2>> rings) {
+double net_area_of(std::span<const std::vector<Vec2>> rings) {
     double sum = 0;
     for (const std::vector<Vec2>& ring : rings) sum += signed_area_of(ring);
     return sum;
@@ -123,7 +123,13 @@ void take_own_piece(const CellGround::Piece& piece, Vec2 at, VoronoiCell& cell) 
     ClipperLib::PolyTree tree;
     clipper.Execute(ClipperLib::ctIntersection, tree, ClipperLib::pftEvenOdd, ClipperLib::pftNonZero);
     for (const ClipperLib::PolyNode* node = tree.GetFirst(); node; node = node->GetNext()) {
-        if (node->IsHole() || ClipperLib::PointInPolygon({0, 0}, node->Contour) == 0) continue;
+        // 1: inside; -1: on the edge.
+        auto lies_in = [](const ClipperLib::PolyNode* ring) {
+            return ClipperLib::PointInPolygon({0, 0}, ring->Contour);
+        };
+        const auto& holes = node->Childs;
+        if (node->IsHole() || lies_in(node) == 0) continue;
+        if (std::any_of(holes.begin(), holes.end(), [&](auto* hole) { return lies_in(hole) == 1; })) continue;
         cell.rings.push_back(of_clipper(node->Contour));
         for (const ClipperLib::PolyNode* hole : node->Childs) cell.rings.push_back(of_clipper(hole->Contour));
         return;
@@ -222,7 +228,7 @@ void make_cell(const PeopleGrid& people, uint32_t who, const CellGround& ground,
     begin_cell(ground, people, at, cell.open);
     cut_by_others(people, who, cell);
     cut_by_walls(ground, at, cell);
-    cell.area = area_in(cell.rings);
+    cell.area = net_area_of(cell.rings);
     for (uint32_t other : cell.cutters)
         if (has_edge_with(cell, people.of[other] - at)) cell.neighbours.push_back(other);
 }
@@ -233,7 +239,7 @@ MeasuredArea measured_area(std::span<const WalkablePolygon> outlines,
     if (outlines.empty()) return area;
     const CellGround whole = cell_ground(outlines, {});
     if (walkable.empty()) {
-        area.square_metres = area_in(whole.pieces[0].rings);
+        area.square_metres = net_area_of(whole.pieces[0].rings);
         return area;
     }
     const Vec2 by = -whole.box.low;

@@ -82,6 +82,13 @@ TEST(Voronoi, WallsCutCells) {
     EXPECT_GT(beside.area, half / 2);
     EXPECT_LT(beside.area, half);
     for (Vec2 p : beside.rings[0]) EXPECT_LT(p.x, 0.5f + 1e-4f) << "beyond the wall";
+    const VoronoiCell other = cell_of(std::vector<Vec2>{{4.7f, 3}}, 0, room, {0.8f, 12});
+    EXPECT_NEAR(other.area, beside.area, 1e-4);
+    for (Vec2 p : other.rings[0]) EXPECT_GT(p.x, -0.5f - 1e-4f) << "beyond the wall";
+    const std::vector<WalkablePolygon> booth = {{box_corners(0, 0, 4, 4), {box_corners(1, 1, 2, 2)}},
+                                                {box_corners(1.1f, 1.1f, 1.9f, 1.9f), {}}};
+    EXPECT_NEAR(cell_of(std::vector<Vec2>{{1.5f, 1.5f}}, 0, booth, {0.8f, 12}).area, 0.64, 1e-4)
+        << "what is all round the booth is not theirs";
     // Round the end of the wall it is one piece, and not convex.
     const VoronoiCell round = cell_of(std::vector<Vec2>{{3.5f, 1}}, 0, room, {0.8f, 12});
     EXPECT_FALSE(round.is_convex);
