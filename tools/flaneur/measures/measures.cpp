@@ -127,7 +127,10 @@ Result<void> measure_file(Trajectories tracks, const MeasureOptions& options, Wo
     const CutOff cut_off{static_cast<float>(options.cut_off)};
     measured.area =
         measured_area(options.area.empty() ? measured.walkable : options.area, measured.walkable, cut_off);
-    if (measured.area.square_metres < 0.01) return Error{"Nobody can walk in that --area."};
+    if (measured.area.square_metres < 0.01)
+        return Error{has_area || !options.area.empty()
+                         ? "Nobody can walk in that --area."
+                         : "Its people are all on one line: say with --walkable where they could be."};
     measured.ground = cell_ground(measured.walkable, cut_off);
     if (has_area) tell_who_is_off(measured);
     const double fps = wide(measured.tracks.fps);
