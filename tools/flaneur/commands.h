@@ -11,6 +11,7 @@ Result<void> run_render(const Options& options);
 Result<void> run_sim(const Options& options);
 Result<void> run_check(const Options& options);
 Result<void> run_validate(const Options& options);
+Result<void> run_measure(const Options& options);
 Result<void> run_gait(const Options& options);
 Result<void> run_inspect(const Options& options);
 Result<void> run_city(const Options& options);

@@ -31,7 +31,7 @@ Result<void> run_command(const Options& options) {
                  options.command == Command::city;
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim, check, validate, bench "
+            "This flaneur was built without Vulkan: it has sim, check, validate, measure, bench "
             "crowd|pose|city|sweep|scale|gauntlet, "
             "gait without --strip, "
             "people without --sheet and inspect. One that draws is made by ./tools/build release."};
@@ -52,6 +52,8 @@ Result<void> run_command(const Options& options) {
             return run_check(options);
         case Command::validate:
             return run_validate(options);
+        case Command::measure:
+            return run_measure(options);
         case Command::gait:
             return run_gait(options);
         case Command::inspect:

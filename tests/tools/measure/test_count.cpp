@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "tools/flaneur/measure/count.h"
-#include "tools/flaneur/measure/voronoi.h"
 
 namespace flaneur {
 namespace {
@@ -192,39 +191,6 @@ TEST_F(Stream, FlowIsDensityTimesSpeed) {
         EXPECT_NEAR(s.speed, k_speed, 1e-5f);
     }
     EXPECT_EQ(fruin_level(static_cast<float>(density)), 3);
-}
-
-// Cells in the middle of a lattice are what one lattice place has, so the density is exact wherever the zone
-// is cut, where counting jumps.
-TEST_F(Stream, VoronoiIsExactWhereCountingJumps) {
-    std::vector<Vec2> people;
-    for (int i = -12; i < 12; ++i)
-        for (int k = -12; k < 12; ++k)
-            people.push_back({0.9f * static_cast<float>(i), 1.1f * static_cast<float>(k)});
-    for (const float aside : {0.0f, 0.2f, 0.47f, 0.61f}) {
-        const Vec2 zone[] = {{-1.3f + aside, -1}, {1.5f + aside, -1}, {1.1f + aside, 1.4f}, {-1 + aside, 1}};
-        EXPECT_NEAR(voronoi_density(zone, people), 1 / (0.9 * 1.1), 2e-4) << aside;
-        // A concave one, too.
-        const Vec2 arrow[] = {{-2 + aside, -2}, {2 + aside, -2}, {aside, 0}, {2 + aside, 2}, {-2 + aside, 2}};
-        EXPECT_NEAR(voronoi_density(arrow, people), 1 / (0.9 * 1.1), 2e-4) << aside;
-    }
-    // A zone so large that most cells are not cut.
-    const Vec2 wide[] = {{-8.4f, -9}, {8.1f, -9.3f}, {8.6f, 9.9f}, {-8, 9.1f}};
-    EXPECT_NEAR(voronoi_density(wide, people), 1 / (0.9 * 1.1), 2e-4);
-    const Vec2 alone[] = {{0, 0}};
-    EXPECT_EQ(voronoi_cell(alone, 0).size(), 24u);
-    const Vec2 all[] = {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}};
-    EXPECT_NEAR(voronoi_density(all, alone), 1.0 / (18 * 18), 1e-6)
-        << "one person, spread over a cell within";
-    EXPECT_EQ(voronoi_density(all, {}), 0);
-}
-
-TEST(Fruin, LevelsAreTheLettersOfTheTable) {
-    EXPECT_EQ(fruin_level(0), 0);
-    EXPECT_EQ(fruin_level(0.31f), 0);
-    EXPECT_EQ(fruin_level(0.32f), 1);
-    EXPECT_EQ(fruin_level(0.7f), 2);
-    EXPECT_EQ(fruin_level(2.2f), 5);
 }
 
 }  // namespace

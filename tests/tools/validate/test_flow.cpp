@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/measures/moments.h"
 #include "sim/base/rng.h"
-#include "tools/flaneur/measure/plan.h"
-#include "tools/flaneur/measure/voronoi.h"
 #include "tools/flaneur/validate/play.h"
 #include "tools/flaneur/validate/report.h"
 
@@ -66,15 +65,6 @@ TEST(Flow, NobodyCountsTwice) {
     }
     for (const FlowSample& s : flow_samples(tracks, {{35, 0}, {45, 5}}, 0.04, 0, 0.76))
         EXPECT_NEAR(s.density, s.classic, 0.2);
-}
-
-TEST(Flow, PolygonsAreCut) {
-    const std::vector<Vec2> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, turned(square.rbegin(), square.rend());
-    const std::vector<Vec2> corner = {{0, 0}, {9, 0}, {9, 9}, {3, 9}, {3, 3}, {0, 3}};
-    EXPECT_NEAR(area_of(part_within(corner, square)), 13, 1e-4);
-    EXPECT_NEAR(area_of(part_within(corner, turned)), 13, 1e-4);
-    EXPECT_TRUE(part_within(corner, {}).empty());
-    EXPECT_EQ(area_of(part_within(corner, std::vector<Vec2>{{20, 20}, {21, 20}, {20, 21}})), 0);
 }
 
 TEST(Flow, WeidmannsCurveIsHis) {

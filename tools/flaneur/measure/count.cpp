@@ -7,7 +7,6 @@
 #include "sim/base/math.h"
 #include "sim/base/tick.h"
 #include "sim/world.h"
-#include "tools/flaneur/measure/voronoi.h"
 
 namespace flaneur {
 namespace {
@@ -88,7 +87,7 @@ void sample(ZoneCount& zone, const Counts& counts) {
     std::vector<Vec2> places;
     places.reserve(counts.present.size());
     for (const Present& one : counts.present) places.push_back(one.at);
-    now.voronoi = static_cast<float>(voronoi_density(zone.zone.corners, places));
+    now.voronoi = static_cast<float>(voronoi_density(zone.zone.corners, places, k_zone_cells));
     zone.samples.push_back(now);
 }
 
@@ -230,13 +229,6 @@ ZoneSample zone_now(const ZoneCount& zone, const Counts& counts) {
     if (now.people > 0) now.speed = static_cast<float>(speed / now.people);
     if (!zone.samples.empty()) now.voronoi = zone.samples.back().voronoi;
     return now;
-}
-
-int fruin_level(float density) {
-    int level = 0;
-    for (float most : k_fruin_densities)
-        if (density > most) ++level;
-    return level;
 }
 
 }  // namespace flaneur

@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "assets/measures/service.h"
+#include "assets/measures/voronoi.h"
 #include "sim/crowd/walker_id.h"
 #include "tools/flaneur/measure/plan.h"
 
@@ -20,6 +22,7 @@ struct World;
 inline constexpr float k_clear = 0.1f;          // metres
 inline constexpr double k_flow_seconds = 60;    // over which a flow is told
 inline constexpr uint32_t k_sample_ticks = 60;  // between two samples of a zone: a second
+inline constexpr CutOff k_zone_cells{3, 24};  // of those by which a zone's density is told; no wall cuts them
 inline constexpr uint32_t k_unticked = ~0u;
 
 // Somebody who is there after a tick.
@@ -53,7 +56,7 @@ struct ZoneSample {
     uint32_t tick = 0;
     uint32_t people = 0;
     float density = 0;  // people to a square metre: how many over how large
-    float voronoi = 0;  // the same by Voronoi cells, see voronoi.h
+    float voronoi = 0;  // the same by Voronoi cells, see k_zone_cells
     float speed = 0;    // mean of those inside, m/s; 0 where there is nobody
 };
 
@@ -108,10 +111,5 @@ Flow flow_of(const LineCount& line, uint32_t tick, double seconds);
 // A zone as it was at the tick that is shown: by its samples, or where that is the last one as it is, but for
 // `voronoi`, which takes longer: that is of the last sample.
 ZoneSample zone_now(const ZoneCount& zone, const Counts& counts);
-
-// Fruin's level of service on walkways, 'A' to 'F', at so many people to a square metre: 35, 25, 15, 10 and 5
-// square feet a person (J. J. Fruin, Pedestrian Planning and Design, 1971).
-inline constexpr float k_fruin_densities[] = {0.31f, 0.43f, 0.72f, 1.08f, 2.15f};
-int fruin_level(float density);  // 0: A .. 5: F
 
 }  // namespace flaneur

@@ -11,6 +11,7 @@ void add_render(CLI::App& app, SceneWords& words, Options& options);
 void add_sim(CLI::App& app, SceneWords& words, Options& options);
 void add_check(CLI::App& app, SceneWords& words, Options& options);
 void add_validate(CLI::App& app, Options& options);
+void add_measure(CLI::App& app, Options& options);
 void add_bench(CLI::App& app, SceneWords& words, Options& options);
 void add_gait(CLI::App& app, SceneWords& words, Options& options);
 void add_people(CLI::App& app, SceneWords& words, Options& options);

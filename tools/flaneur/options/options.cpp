@@ -18,6 +18,7 @@ constexpr const char* k_footer = R"(Examples:
   flaneur sim --seconds 60 --hash                          the same number on every x86-64 machine
   flaneur check --sim --with OTHER_FLANEUR                 the first tick, walker and field in which two builds differ
   flaneur validate                                         the tests of RiMEA and NIST, expected beside measured
+  flaneur measure corridor.txt --out out/corridor          density, speed, flow and more of any trajectories
   flaneur bench frame --walkers 2000                       where the time of a frame goes
   flaneur people --count 24 --sheet out/people.png         who lives there
   flaneur inspect me.glb                                   what is found in a character
@@ -51,6 +52,7 @@ Result<std::variant<std::monostate, Options>> parse_words(int argc, char** argv)
     add_sim(app, words, options);
     add_check(app, words, options);
     add_validate(app, options);
+    add_measure(app, options);
     add_bench(app, words, options);
     add_gait(app, words, options);
     add_people(app, words, options);

@@ -6,8 +6,12 @@
 #include <variant>
 #include <vector>
 
+#include "assets/measures/profile.h"
+#include "assets/measures/service.h"
+#include "assets/measures/ttc.h"
 #include "assets/person.h"
 #include "assets/scene.h"
+#include "assets/trajectories/trajectories.h"
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
 #include "sim/pose/techniques.h"
@@ -15,7 +19,21 @@
 
 namespace flaneur {
 
-enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache, check, validate };
+enum class Command {
+    view,
+    render,
+    sim,
+    bench,
+    gait,
+    people,
+    inspect,
+    city,
+    scenes,
+    cache,
+    check,
+    validate,
+    measure
+};
 enum class BenchLoad {
     frame,
     window,
@@ -126,6 +144,29 @@ struct ValidateOptions {
     bool list = false;  // tells which tests there are
 };
 
+// What is measured of a file of trajectories. Nothing asked for: all of it.
+struct MeasureOptions {
+    std::vector<CountLine> lines;
+    std::vector<WalkablePolygon> area, walkable;  // empty: as the file says
+    Moments seconds{0, 1e9}, frames{0, 1e9};      // what lies in both
+    bool voronoi = false, fundamental = false, service = false, ttc = false, dwell = false;
+    bool individual = false;
+    double profile = 0;  // side of a square, metres; 0: not asked for
+    FieldMethod profile_method = FieldMethod::voronoi;
+    double cut_off = 1;       // metres; 0: none
+    uint32_t frame_step = 0;  // 0: of a fifth of a second
+    AtEnds at_ends = AtEnds::single_sided;
+    Vec2 direction;      // (0, 0): speeds are told whichever way one goes
+    double passing = 0;  // metres beside each line; 0: not asked for
+    double flow_seconds = 10;
+    double radius = k_disc_radius;  // metres
+    ServiceOf service_of = ServiceOf::walkway;
+};
+inline bool asks_for_all(const MeasureOptions& o) {
+    return !o.voronoi && !o.fundamental && !o.service && !o.ttc && !o.dwell && !o.individual &&
+           o.profile == 0;
+}
+
 struct Options {
     Command command = Command::view;
     Scene scene;      // with what the command line says instead
@@ -161,7 +202,7 @@ struct Options {
     std::string depth;            // a file for depths, or a pattern as `out`; empty: none
     std::string ids;              // the same, for ids
 
-    std::string out;  // where render, city and bench peers write
+    std::string out;  // where render, city, measure and bench peers write
 
     // sim
     double seconds = 10;
@@ -193,10 +234,11 @@ struct Options {
     std::string json;  // where bench, city, gait and inspect write their figures too
 
     ValidateOptions validation;
+    MeasureOptions measure;
     GaitOptions gait;
     PeopleOptions people;
 
-    // inspect
+    // inspect, measure
     std::string file;
 
     // scenes
@@ -215,6 +257,10 @@ Techniques usual_techniques(LimbLead limbs);
 // "feet,walls": all techniques but these; "none": all. And back, of those that are off; "": as is usual.
 Result<Techniques> parse_without(const std::string& text);
 std::string told_without(Techniques techniques, LimbLead limbs);
+// 'x,y x,y', two opposite corners, or more of them, or POLYGON ((x y, ..), ..), y to the north.
+Result<std::vector<WalkablePolygon>> parse_area(const std::string& text);
+// 'x,y x,y' or LINESTRING (x y, x y), with "NAME:" before it if it has one.
+Result<CountLine> parse_line(const std::string& text);
 // 0 .. 2^64 - 1.
 Result<uint64_t> parse_seed(const std::string& text);
 // "21.5:24"

@@ -210,13 +210,20 @@ std::string plot_svg(const LinePlot& plot) {
         const size_t own = line.is_faint ? 0 : number++;
         if (line.points.empty()) continue;
         const char* colour = line.is_faint ? "#888" : k_colours[own % k_colours.size()];
-        std::string path = "M";
-        for (const PlotPoint& p : line.points) path += printed("%.1f %.1f ", px(p.x), py(p.y));
-        svg += line.is_faint ? "<path class=\"line faint\" d=\""
-                             : std::string("<path class=\"line\" stroke=\"") + colour + "\" d=\"";
-        svg += path + "\"/>\n";
-        if (!line.is_faint)
-            for (const PlotPoint& p : line.points) svg += mark_at(own, px(p.x), py(p.y), colour);
+        if (line.marks == PlotMarks::cloud) {
+            svg.append("<g fill=\"").append(colour).append("\" fill-opacity=\"0.25\">\n");
+            for (const PlotPoint& p : line.points)
+                svg += printed("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2\"/>\n", px(p.x), py(p.y));
+            svg += "</g>\n";
+        } else {
+            std::string path = "M";
+            for (const PlotPoint& p : line.points) path += printed("%.1f %.1f ", px(p.x), py(p.y));
+            svg += line.is_faint ? "<path class=\"line faint\" d=\""
+                                 : std::string("<path class=\"line\" stroke=\"") + colour + "\" d=\"";
+            svg += path + "\"/>\n";
+            if (!line.is_faint && line.marks == PlotMarks::each)
+                for (const PlotPoint& p : line.points) svg += mark_at(own, px(p.x), py(p.y), colour);
+        }
         const double end = py(line.points.back().y);
         names.push_back({end, end, line.name, colour});
     }

@@ -3,6 +3,7 @@
 // apart however they see colours; each line has its name at its end and a mark of its own too.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,16 @@ struct PlotPoint {
     double x = 0, y = 0;
 };
 
+enum class PlotMarks : uint8_t {
+    each,   // joined, with a mark on each point
+    none,   // joined: of points so close that marks would hide the line
+    cloud,  // marks alone, pale, which darken where there are many
+};
 struct PlotLine {
     std::string name;
     std::vector<PlotPoint> points;  // in the order in which they are joined
     bool is_faint = false;          // grey and dashed: what others are held against
+    PlotMarks marks = PlotMarks::each;
 };
 
 struct PlotAxis {

@@ -35,7 +35,4 @@ struct MeanFlow {
 };
 MeanFlow mean_of(std::span<const FlowSample> samples);
 
-// U. Weidmann, Transporttechnik der Fussgaenger, 1993: m/s at so many people to a square metre.
-double weidmann_speed(double density);
-
 }  // namespace flaneur

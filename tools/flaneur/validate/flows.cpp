@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/measures/moments.h"
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "tools/flaneur/plot/plot.h"

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "assets/measures/moments.h"
 #include "tools/flaneur/plot/plot.h"
 
 namespace flaneur {
