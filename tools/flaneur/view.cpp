@@ -371,6 +371,10 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
     if (!settings) tell(viewer, printable(settings.error().message));
     start_changes(options, *show, viewer);
     begin_run(viewer.time, *show->loaded.world);
+    if (show->playing) viewer.time.latest = show->playing->last;
+    Result<TakingPtr> taking = begin_taking(options, *show->loaded.world);
+    if (!taking) return taking.error();
+    show->taking = std::move(*taking);
     if (paces)
         add_setting(paces->figures, options, *show->loaded.world);
     else
@@ -383,7 +387,9 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
         return run_loop(*show, canvas, viewer, paces);
     });
     end_film(viewer);
-    viewer.time.anew.reset();                            // they are made of the show
+    viewer.time.anew.reset();  // they are made of the show
+    Result<void> recorded = finish_taking(std::move(show->taking));
+    if (done && !recorded) return recorded;
     if (done && is_opening(viewer.opening)) end_now(0);  // nobody waits for what is being loaded
     return done;
 }

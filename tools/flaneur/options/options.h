@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assets/person.h"
+#include "assets/recording/head.h"
 #include "assets/scene.h"
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
@@ -15,7 +16,22 @@
 
 namespace flaneur {
 
-enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache, check, validate };
+enum class Command {
+    view,
+    render,
+    sim,
+    bench,
+    gait,
+    people,
+    inspect,
+    city,
+    scenes,
+    cache,
+    check,
+    validate,
+    replay,
+    diff
+};
 enum class BenchLoad {
     frame,
     window,
@@ -126,6 +142,13 @@ struct ValidateOptions {
     bool list = false;  // tells which tests there are
 };
 
+// What is recorded, of view, render, sim and bench tick.
+struct RecordOptions {
+    std::string path;  // empty: nothing is
+    RecordedAs as = RecordedAs::motion;
+    float error = 0.001f;  // of motion: metres at most; 0: to the last bit
+};
+
 struct Options {
     Command command = Command::view;
     Scene scene;      // with what the command line says instead
@@ -142,6 +165,11 @@ struct Options {
     bool validate = false;
     Techniques techniques;               // of those who are drawn; not of bench
     std::optional<bool> lights_on_host;  // rather than on the device; default: where that is a CPU
+
+    RecordOptions record;
+    std::string replay;  // view, render, check, replay: the recording that is shown; empty: a scene is
+    bool checks_replay = false;
+    float within = 0;  // diff: metres that do not count
 
     bool captures = false;  // view, render: RenderDoc is loaded
 
