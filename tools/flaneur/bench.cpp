@@ -17,6 +17,7 @@
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/recording/check.h"
 #include "tools/flaneur/recording/taking.h"
 
 namespace flaneur {
@@ -87,6 +88,7 @@ static void add_rates(Figures& figures, const World& world) {
 }
 
 Result<Figures> bench_crowd(const Options& options) {
+    if (Result<void> allowed = check_record(options); !allowed) return allowed.error();
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     World& world = *loaded->world;

@@ -9,6 +9,7 @@
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/output/record.h"
+#include "tools/flaneur/recording/check.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/ids.h"
 #include "tools/flaneur/view/path.h"
@@ -206,6 +207,7 @@ TickRange ticks_of(const Options& options, const CameraPath& path) {
 
 Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
     if (Result<void> found = find_files(asked.scene); !found) return found;
+    if (Result<void> allowed = check_record(asked); !allowed) return allowed;
     Options options = asked;
     CameraPath path;
     if (!options.camera_path.empty()) {

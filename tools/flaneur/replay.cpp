@@ -119,6 +119,8 @@ Result<void> run_replay(const Options& options) {
 }
 
 Result<void> run_diff(const Options& options) {
+    if (options.compared.size() != 2)
+        return Error{"diff compares two recordings: say flaneur diff A.flr B.flr."};
     return compare_recordings(options.compared[0], options.compared[1], options.within, options);
 }
 

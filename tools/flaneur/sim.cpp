@@ -16,6 +16,7 @@
 #include "tools/flaneur/measure/csv.h"
 #include "tools/flaneur/output/measures.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/recording/check.h"
 #include "tools/flaneur/recording/taking.h"
 #include "tools/flaneur/tracks/record.h"
 
@@ -71,6 +72,7 @@ static void warn_of_lines(const MeasurePlan& plan, const World& world) {
 Result<void> run_sim(const Options& options) {
     Result<void> isa = use_isa(options.isa);
     if (!isa) return isa;
+    if (Result<void> allowed = check_record(options); !allowed) return allowed;
     Result<PartFilePtr> log = open_if_asked(options.hash_log);
     if (!log) return log.error();
     Result<PartFilePtr> states = open_if_asked(options.state_log);

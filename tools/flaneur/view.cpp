@@ -17,6 +17,7 @@
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/recording/check.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
@@ -337,6 +338,7 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
 
 Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces* paces) {
     if (Result<void> found = find_files(options.scene); !found) return found;
+    if (Result<void> allowed = check_record(options); !allowed) return allowed;
     GlfwSession glfw;
     auto refused = [](const std::string& what) {
         const char* why = nullptr;

@@ -130,7 +130,11 @@ void add_replay(CLI::App& app, SceneWords& words, Options& options) {
 void add_diff(CLI::App& app, Options& options) {
     CLI::App* diff = app.add_subcommand("diff", "Find where two recordings differ")->footer(k_diff_footer);
     diff->callback([&] { options.command = Command::diff; });
-    diff->add_option("files", options.compared, "Two recordings")->type_name("FILE")->expected(2)->required();
+    diff->add_option("files", options.compared, "Two recordings")
+        ->type_name("FILE")
+        ->expected(-1)
+        ->take_all()
+        ->required();
     add_parsed(*diff, "--within", parse_millimetres, options.within,
                "What does not count: 0.1 to 50 millimetres, and half as many degrees; 0: nothing", "MM", "0");
     diff->add_option("--threads", options.threads, "Threads that read them; 0: one a core")

@@ -12,6 +12,7 @@
 #include "sim/without.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/recording/check.h"
 #include "tools/flaneur/recording/chunks.h"
 #include "tools/flaneur/recording/program.h"
 #include "tools/flaneur/recording/shown.h"
@@ -115,9 +116,9 @@ bool is_same_world(const Taking& t, const World& w) {
 
 }  // namespace
 
-Result<TakingPtr> begin_taking(const Options& options, const World& world) {
+Result<void> check_record(const Options& options) {
     const RecordOptions& asked = options.record;
-    if (asked.path.empty()) return TakingPtr();
+    if (asked.path.empty()) return {};
     if (asked.as == RecordedAs::inputs && options.lod > 0)
         return Error{
             "--record-as inputs cannot repeat what goes by where it is looked at from: leave out --lod, "
@@ -127,7 +128,14 @@ Result<TakingPtr> begin_taking(const Options& options, const World& world) {
         return Error{"--record " + asked.path +
                      " is no file, and a recording is read from its middle too: give "
                      "the name of one."};
-    if (Result<PartFilePtr> checked = open_file(asked.path); !checked) return checked.error();
+    const Result<PartFilePtr> checked = open_file(asked.path);
+    return checked ? Result<void>() : checked.error();
+}
+
+Result<TakingPtr> begin_taking(const Options& options, const World& world) {
+    const RecordOptions& asked = options.record;
+    if (asked.path.empty()) return TakingPtr();
+    if (Result<void> checked = check_record(options); !checked) return checked.error();
     std::error_code failed;
     std::filesystem::create_directories(std::filesystem::path(asked.path).parent_path(), failed);
     TakingPtr t(new Taking);
