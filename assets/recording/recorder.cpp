@@ -1,5 +1,6 @@
 #include "assets/recording/recorder.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -8,18 +9,26 @@
 
 namespace flaneur {
 
-static_assert(k_trees_chunk == chunk_kind("tree") && k_motion_chunk == chunk_kind("moti"));
+static_assert(k_trees_chunk == chunk_kind("tree") && k_motion_chunk == chunk_kind("moti") &&
+              k_columns_chunk == chunk_kind("cols"));
+
+// The ticks of a chunk.
+struct Filling {
+    MotionFrames motion;
+    std::array<ColumnTick, k_chunk_ticks> columns;
+    bool has_columns = false;
+};
 
 struct Recorder {
     RecorderOptions options;
     WorkersPtr workers;
-    std::unique_ptr<MotionFrames> filling = std::make_unique<MotionFrames>();
+    std::unique_ptr<Filling> filling = std::make_unique<Filling>();
     std::vector<BoneTree> trees;  // all that were added
 
     // Between both threads.
     mutable std::mutex mutex;
     std::condition_variable changed;
-    std::unique_ptr<MotionFrames> encoding = std::make_unique<MotionFrames>();
+    std::unique_ptr<Filling> encoding = std::make_unique<Filling>();
     std::vector<BoneTree> known;  // trees of what is being encoded
     RecordingWriterPtr writer;
     bool is_full = false;  // `encoding` waits, or is being encoded
@@ -34,19 +43,23 @@ namespace {
 
 // What the thread does for each chunk, apart from the lock.
 void encode(Recorder& r, size_t& trees_written, uint32_t& chunks, MotionMeans& key) {
-    const MotionFrames& frames = *r.encoding;
+    const MotionFrames& frames = r.encoding->motion;
     const std::string trees = encode_trees(std::span<const BoneTree>(r.known).subspan(trees_written));
     const bool is_key = chunks++ % k_chunks_to_a_key == 0;
     EncodedMotion encoded =
         encode_motion(frames, r.known, r.options.bound, is_key ? nullptr : &key, *r.workers);
     const std::string& bytes = encoded.bytes;
     if (is_key) key = std::move(encoded.means);
+    std::string columns;
+    if (r.encoding->has_columns) columns = encode_columns(std::span(r.encoding->columns).first(frames.ticks));
     const std::lock_guard lock(r.mutex);
     Result<void> written = r.written;
-    if (written && bytes.size() > k_most_chunk_bytes)
+    if (written && std::max(bytes.size(), columns.size()) > k_most_chunk_bytes)
         written = Error{"More moves than a recording can hold: record fewer walkers."};
     if (written && trees_written < r.known.size())
         written = add_chunk(*r.writer, k_trees_chunk, frames.first, 0, trees);
+    if (written && r.encoding->has_columns)
+        written = add_chunk(*r.writer, k_columns_chunk, frames.first, frames.ticks, columns);
     if (written) written = add_chunk(*r.writer, k_motion_chunk, frames.first, frames.ticks, bytes);
     trees_written = r.known.size();
     r.written = written;
@@ -74,7 +87,7 @@ void run(Recorder& r) {
 
 // Hands over what was filled.
 Result<void> hand_over(Recorder& r) {
-    if (r.filling->ticks == 0) return {};
+    if (r.filling->motion.ticks == 0) return {};
     {
         std::unique_lock lock(r.mutex);
         if (r.is_full) ++r.count.waits;
@@ -85,7 +98,7 @@ Result<void> hand_over(Recorder& r) {
         r.is_full = true;
     }
     r.changed.notify_all();
-    r.filling->ticks = 0;
+    r.filling->motion.ticks = 0;
     return {};
 }
 
@@ -123,15 +136,29 @@ uint32_t add_tree(Recorder& recorder, const BoneTree& tree) {
     return static_cast<uint32_t>(recorder.trees.size() - 1);
 }
 
-Result<void> add_tick(Recorder& r, uint32_t tick, const std::vector<PoseBlock>& poses,
-                      std::span<const BodyMember> bodies, std::span<const RigidMember> things) {
-    const MotionFrames& so_far = *r.filling;
+static Result<void> take_tick(Recorder& r, uint32_t tick, const std::vector<PoseBlock>& poses,
+                              std::span<const BodyMember> bodies, std::span<const RigidMember> things,
+                              ColumnTick* columns) {
+    const MotionFrames& so_far = r.filling->motion;
     if (so_far.ticks == k_chunk_ticks || (so_far.ticks > 0 && tick != so_far.first + so_far.ticks))
         if (Result<void> handed = hand_over(r); !handed) return handed;
-    MotionFrames& frames = *r.filling;
+    MotionFrames& frames = r.filling->motion;
     if (frames.ticks == 0) frames.first = tick;
+    r.filling->has_columns = columns;
+    if (columns) std::swap(*columns, r.filling->columns[frames.ticks]);
     take_poses(poses, bodies, things, frames.frames[frames.ticks++]);
     return frames.ticks == k_chunk_ticks ? hand_over(r) : Result<void>();
+}
+
+Result<void> add_tick(Recorder& recorder, uint32_t tick, const std::vector<PoseBlock>& poses,
+                      std::span<const BodyMember> bodies, std::span<const RigidMember> things) {
+    return take_tick(recorder, tick, poses, bodies, things, nullptr);
+}
+
+Result<void> add_tick(Recorder& recorder, uint32_t tick, const std::vector<PoseBlock>& poses,
+                      std::span<const BodyMember> bodies, std::span<const RigidMember> things,
+                      ColumnTick& columns) {
+    return take_tick(recorder, tick, poses, bodies, things, &columns);
 }
 
 Result<void> add_other(Recorder& r, uint32_t kind, uint32_t first, uint32_t ticks, std::string_view bytes) {

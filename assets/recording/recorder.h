@@ -7,15 +7,17 @@
 #include <string>
 #include <string_view>
 
+#include "assets/recording/columns.h"
 #include "assets/recording/motion.h"
 
 namespace flaneur {
 
-// Half a second at 60 Hz: a kill loses that, and what is being encoded.
-inline constexpr uint32_t k_chunk_ticks = 32;
+// Half a second at 60 Hz: a kill loses less than that, and what is being encoded.
+inline constexpr uint32_t k_chunk_ticks = 30;
 inline constexpr uint32_t k_chunks_to_a_key = 8;
-inline constexpr uint32_t k_trees_chunk = 0x65657274;   // "tree": encode_trees() of those that are new
-inline constexpr uint32_t k_motion_chunk = 0x69746f6d;  // "moti": encode_motion()
+inline constexpr uint32_t k_trees_chunk = 0x65657274;    // "tree": encode_trees() of those that are new
+inline constexpr uint32_t k_motion_chunk = 0x69746f6d;   // "moti": encode_motion()
+inline constexpr uint32_t k_columns_chunk = 0x736c6f63;  // "cols": encode_columns()
 
 struct RecorderOptions {
     MotionBound bound{};
@@ -43,6 +45,11 @@ uint32_t add_tree(Recorder& recorder, const BoneTree& tree);
 // waits while both are full. Fails where an earlier one could not be written.
 Result<void> add_tick(Recorder& recorder, uint32_t tick, const std::vector<PoseBlock>& poses,
                       std::span<const BodyMember> bodies, std::span<const RigidMember> things);
+// The same with columns, which are swapped for others whose memory may be used again. Either all ticks have
+// some, or none.
+Result<void> add_tick(Recorder& recorder, uint32_t tick, const std::vector<PoseBlock>& poses,
+                      std::span<const BodyMember> bodies, std::span<const RigidMember> things,
+                      ColumnTick& columns);
 // A chunk of another kind, at once; from the thread that adds ticks.
 Result<void> add_other(Recorder& recorder, uint32_t kind, uint32_t first, uint32_t ticks,
                        std::string_view bytes);

@@ -72,4 +72,17 @@ Result<bool> seek(Replay& replay, uint32_t tick) {
     return true;
 }
 
+Result<bool> seek_columns(Replay& replay, uint32_t tick) {
+    const ChunkPlace* chunk = chunk_at(*replay.recording, k_columns_chunk, tick);
+    if (!chunk) return false;
+    if (chunk->offset == replay.columns_offset) return true;
+    const Result<std::string> bytes = read_chunk(*replay.recording, *chunk);
+    if (!bytes) return bytes.error();
+    Result<ColumnChunk> columns = decode_columns(*bytes, chunk->first, chunk->ticks);
+    if (!columns) return damaged(replay, *chunk, columns.error());
+    replay.columns = std::move(*columns);
+    replay.columns_offset = chunk->offset;
+    return true;
+}
+
 }  // namespace flaneur

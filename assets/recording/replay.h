@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/recording/columns.h"
 #include "assets/recording/container.h"
 #include "assets/recording/motion.h"
 
@@ -18,6 +19,8 @@ struct Replay {
     MotionMeans key;
     uint64_t key_offset = 0;  // where its chunk lies; 0: none was read
     uint64_t offset = 0;      // where that one lies; 0: none was
+    ColumnChunk columns;      // the same of columns
+    uint64_t columns_offset = 0;
 };
 
 // On so many threads; 0: one a core. Refuses, in a sentence, what open_recording() does, and those
@@ -26,5 +29,7 @@ Result<Replay> open_replay(const std::string& path, int threads = 0);
 // Makes `motion` have that tick, for pose_at(replay.motion, track, replay.trees, tick, ..): false where
 // nothing was recorded of it. Refuses, in a sentence, what is damaged.
 Result<bool> seek(Replay& replay, uint32_t tick);
+// The same of `columns`.
+Result<bool> seek_columns(Replay& replay, uint32_t tick);
 
 }  // namespace flaneur

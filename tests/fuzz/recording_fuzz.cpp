@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "assets/recording/head.h"
 #include "assets/recording/recorder.h"
 #include "assets/recording/replay.h"
 #include "tests/folder.h"
@@ -34,8 +35,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
             const Result<bool> has = seek(*replay, chunk.first);
             if (has && *has) look(replay->motion, replay->trees);
         }
+        for (const ChunkPlace& chunk : chunks_of(*replay->recording, k_columns_chunk))
+            (void)seek_columns(*replay, chunk.first);
+        (void)parse_recording_head("fuzz.flr", replay->recording->head);
         return 0;
     }
+    if (const Result<ColumnChunk> columns = decode_columns(bytes, 5, 48))
+        for (const auto& [name, column] : columns->columns)
+            for (uint32_t t = 0; t < columns->ticks; ++t)
+                if (column.items[t] != k_no_items && column.items[t] > 0 && column.words > 0)
+                    (void)value_of(*columns, column, t, column.items[t] - 1, column.words - 1);
     if (const Result<std::vector<BoneTree>> read = decode_trees(bytes))
         for (const BoneTree& tree : *read)
             for (size_t j = 1; j < tree.parents.size(); ++j)

@@ -102,7 +102,7 @@ tools/extract: assets, assets/alongside, assets/props, renderer, sim, sim/alongs
 tools/flaneur/console: sim/base
 tools/flaneur/plot:
 tools/flaneur/measure: assets/files, assets/measures, sim, sim/base, sim/crowd
-tools/flaneur/options: assets, assets/files, assets/measures, assets/trajectories, sim/base, sim/pose, tools/flaneur/measure
+tools/flaneur/options: assets, assets/files, assets/measures, assets/trajectories, assets/recording, sim/base, sim/pose, tools/flaneur/measure
 tools/rendercheck/suite: assets/files, sim/base, tools/flaneur/options, tools/rendercheck/files, tools/rendercheck/verdict
 tools/rendercheck/references: assets/files, sim/base, tools/rendercheck/files, tools/rendercheck/process, tools/rendercheck/suite
 tools/rendercheck/check: assets/files, tools/flaneur/options, tools/rendercheck/files, tools/rendercheck/process, tools/rendercheck/references, tools/rendercheck/suite, tools/rendercheck/verdict
@@ -113,13 +113,14 @@ tools/flaneur/tracks: assets/files, assets/trajectories, sim, sim/base, tools/fl
 tools/flaneur/validate: assets/measures, assets/trajectories, sim, sim/base, sim/ground, sim/navigation, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/plot
 tools/flaneur/measures: assets/measures, assets/trajectories, sim/base, tools/flaneur/options, tools/flaneur/plot
 tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/gltf/city, assets/pastimes, assets/stages, sim, sim/alongside, sim/base, sim/pastimes, tools/flaneur/console, tools/flaneur/options
+tools/flaneur/recording: assets, assets/files, assets/recording, sim, sim/alongside, sim/base, sim/crowd, sim/pastimes, sim/pose, tools/flaneur/console, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
 tools/flaneur/check: assets/files, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
 tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/body, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
 tools/flaneur/overlay: renderer, sim, sim/deeds, sim/gait, sim/stepper, sim/ways, tools/extract, tools/flaneur/measure, tools/flaneur/options
-tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/overlay
+tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/overlay, tools/flaneur/recording
 tools/flaneur/history: sim, sim/base
 tools/flaneur/window/ask: assets, renderer, sim/base, sim/body, sim/limbs, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view
 tools/flaneur/window/cameras: assets, renderer, sim, tools/flaneur/options, tools/flaneur/view
@@ -153,7 +154,7 @@ tools/flaneur/city: assets, assets/files, assets/gltf/city, sim, sim/alongside, 
 tools/flaneur/bench: tools/rendercheck/verdict, assets/files, assets/gltf/character, sim, sim/animation, sim/base, sim/fall, sim/gait, sim/linkages, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur/bench/gauntlet: assets/files, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/plot, sim/base
 tools/flaneur/bench/study: tools/rendercheck/verdict, sim/pose, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/plot, tools/flaneur/view
-tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/check, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/measures, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/tracks, tools/flaneur/validate, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
+tools/flaneur: assets, assets/cache, assets/files, assets/gltf, assets/recording, sim, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/check, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/measures, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/recording, tools/flaneur/sheets, tools/flaneur/tracks, tools/flaneur/validate, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
 """
 MOST_FILES = 25
 CODE = (".h", ".cpp", ".glsl", ".vert", ".frag", ".comp")

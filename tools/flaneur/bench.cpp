@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <thread>
 
@@ -16,6 +17,8 @@
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/recording/check.h"
+#include "tools/flaneur/recording/taking.h"
 
 namespace flaneur {
 
@@ -85,6 +88,7 @@ static void add_rates(Figures& figures, const World& world) {
 }
 
 Result<Figures> bench_crowd(const Options& options) {
+    if (Result<void> allowed = check_record(options); !allowed) return allowed.error();
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     World& world = *loaded->world;
@@ -95,13 +99,21 @@ Result<Figures> bench_crowd(const Options& options) {
         if (is_stopping()) return interrupted();
         step(world);
     }
+    Result<TakingPtr> taking = begin_taking(options, world);
+    if (!taking) return taking.error();
     const MeterReading before = read_meters();
     for (uint32_t i = 0; i < options.bench_frames; ++i) {
         if (is_stopping()) return interrupted();
         FLANEUR_ZONE("frame");
         step(world);
         add_stages(figures, world);
+        if (!*taking) continue;
+        const auto start = std::chrono::steady_clock::now();
+        if (!take(**taking, world)) break;  // finish_taking() says why
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+        add_sample(figures, "record", took.count(), "step");
     }
+    if (Result<void> finished = finish_taking(std::move(*taking)); !finished) return finished.error();
     add_meters(figures, before, options.bench_frames, world.crowd.count);
     add_rates(figures, world);
     return figures;

@@ -262,6 +262,11 @@ Result<void> check_with(const Options& options, const Words& said) {
 }  // namespace
 
 Result<void> run_check(const Options& options) {
+    if (!options.replay.empty()) {
+        Options checked = options;
+        checked.checks_replay = true;
+        return run_replay(checked);
+    }
     const Words said = without_options(options.words, k_own_options, k_own_flags);
     return options.sim_check.against.empty() ? check_with(options, said) : check_against(options, said);
 }

@@ -10,6 +10,8 @@ Result<void> run_view(const Options& options);
 Result<void> run_render(const Options& options);
 Result<void> run_sim(const Options& options);
 Result<void> run_check(const Options& options);
+Result<void> run_replay(const Options& options);
+Result<void> run_diff(const Options& options);
 Result<void> run_validate(const Options& options);
 Result<void> run_measure(const Options& options);
 Result<void> run_gait(const Options& options);

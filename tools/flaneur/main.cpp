@@ -50,6 +50,10 @@ Result<void> run_command(const Options& options) {
             return run_sim(options);
         case Command::check:
             return run_check(options);
+        case Command::replay:
+            return run_replay(options);
+        case Command::diff:
+            return run_diff(options);
         case Command::validate:
             return run_validate(options);
         case Command::measure:

@@ -9,6 +9,7 @@
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/output/record.h"
+#include "tools/flaneur/recording/check.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/ids.h"
 #include "tools/flaneur/view/path.h"
@@ -128,16 +129,23 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
     for (uint32_t i = 0; i < pictures; ++i) {
         FLANEUR_ZONE("frame");
         uint32_t tick = ticks.first + i * ticks.step;
+        // Who is gone along with is gone along with from the start on.
+        if (show.playing && !goes_along(choice.kind) && world.tick + 1 < tick)
+            if (Result<void> shown = go_straight(show, tick); !shown) return shown;
         while (world.tick < tick && !is_stopping()) {
             if (i == 0 && world.tick % 60 == 0)
                 show_progress("simulating, tick " + std::to_string(world.tick));
             look_from(show, camera);
             step(show);
+            if (show.playing && show.playing->failed) return *show.playing->failed;
             const bool was_left = rig.is_left;
             advance(rig, world, choice);
             if (rig.is_left && !was_left) say_left(world, choice.walker);
         }
         if (is_stopping()) return stopped(options, output, i);
+        if (world.tick > tick)
+            return Error{"There is no tick " + std::to_string(tick) + ": the recording begins at " +
+                         std::to_string(world.tick) + "."};
         if (!path.keys.empty()) {
             camera = camera_at(path, static_cast<double>(tick - ticks.first) / k_ticks_a_second);
         } else if (goes_along(choice.kind)) {
@@ -179,6 +187,16 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
     return finished;
 }
 
+// All of a recording, where no ticks were asked for; of one picture the last.
+Result<TickRange> recorded_ticks(const Options& options) {
+    if (options.replay.empty() || options.has_ticks) return options.ticks;
+    const Result<PlayingPtr> playing = open_playing(options.replay, 1);
+    if (!playing) return playing.error();
+    const uint32_t first = (*playing)->first, last = (*playing)->last;
+    const bool is_one = has_ending(options.out, ".png") && picture_path(options.out, 0) == options.out;
+    return is_one ? TickRange{last, last, 1} : TickRange{first, last, 2};
+}
+
 // All of a path, where no ticks were asked for.
 TickRange ticks_of(const Options& options, const CameraPath& path) {
     TickRange ticks = options.ticks;
@@ -189,6 +207,7 @@ TickRange ticks_of(const Options& options, const CameraPath& path) {
 
 Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
     if (Result<void> found = find_files(asked.scene); !found) return found;
+    if (Result<void> allowed = check_record(asked); !allowed) return allowed;
     Options options = asked;
     CameraPath path;
     if (!options.camera_path.empty()) {
@@ -197,6 +216,9 @@ Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
         path = std::move(*loaded);
         options.ticks = ticks_of(options, path);
     }
+    const Result<TickRange> recorded = recorded_ticks(options);
+    if (!recorded) return recorded.error();
+    options.ticks = *recorded;
     if (Result<void> checked = check_channels(options); !checked) return checked;
     if (Result<void> checked = check_capture(options); !checked) return checked;
     Result<OutputPtr> output =
@@ -208,9 +230,13 @@ Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
     if (!renderer) return renderer.error();
     Result<Show> show = make_show(std::move(*renderer), options);
     if (!show) return show.error();
+    Result<TakingPtr> taking = begin_taking(options, *show->loaded.world);
+    if (!taking) return taking.error();
+    show->taking = std::move(*taking);
     Result<void> drawn = draw_all(*show, options, path, **output, std::move(*channels));
     clear_progress();
-    return drawn;
+    Result<void> recorded_too = finish_taking(std::move(show->taking));
+    return drawn ? recorded_too : drawn;
 }
 
 }  // namespace

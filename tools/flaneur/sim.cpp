@@ -16,6 +16,8 @@
 #include "tools/flaneur/measure/csv.h"
 #include "tools/flaneur/output/measures.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/recording/check.h"
+#include "tools/flaneur/recording/taking.h"
 #include "tools/flaneur/tracks/record.h"
 
 namespace flaneur {
@@ -70,6 +72,7 @@ static void warn_of_lines(const MeasurePlan& plan, const World& world) {
 Result<void> run_sim(const Options& options) {
     Result<void> isa = use_isa(options.isa);
     if (!isa) return isa;
+    if (Result<void> allowed = check_record(options); !allowed) return allowed;
     Result<PartFilePtr> log = open_if_asked(options.hash_log);
     if (!log) return log.error();
     Result<PartFilePtr> states = open_if_asked(options.state_log);
@@ -95,12 +98,15 @@ Result<void> run_sim(const Options& options) {
     if (Result<void> begun = begin(state_log, world, options, ticks); !begun) return begun;
     if (!add_state(state_log, world)) return keep_file(std::move(state_log.file));  // which says why
     if (Result<void> begun = begin_tracks(tracks, world, options.fps); !begun) return begun;
+    Result<TakingPtr> taking = begin_taking(options, world);
+    if (!taking) return taking.error();
     while (world.tick < ticks) {
         if (is_stopping()) return interrupted("the simulation is at tick " + std::to_string(world.tick));
         FLANEUR_ZONE("frame");
         step(world);
         count_people(counts, world);
-        if (!add_tick(tracks, world)) return finish_tracks(std::move(tracks));  // which says why
+        if (*taking && !take(**taking, world)) return finish_taking(std::move(*taking));  // which says why
+        if (!add_tick(tracks, world)) return finish_tracks(std::move(tracks));            // which says why
         if (*log &&
             std::fprintf((*log)->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world)) < 0)
             return keep_file(std::move(*log));  // which says why
@@ -127,6 +133,7 @@ Result<void> run_sim(const Options& options) {
         for (const PartFilePtr& file : *counted) say("Writing " + file->path);
         if (Result<void> written = write_counts(std::move(*counted), counts); !written) return written;
     }
+    if (Result<void> finished = finish_taking(std::move(*taking)); !finished) return finished;
     if (Result<void> finished = finish(std::move(state_log), world); !finished) return finished;
     if (Result<void> finished = finish_tracks(std::move(tracks)); !finished) return finished;
     return *log ? keep_file(std::move(*log)) : Result<void>();

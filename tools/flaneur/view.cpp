@@ -17,6 +17,7 @@
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/recording/check.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
@@ -337,6 +338,7 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
 
 Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces* paces) {
     if (Result<void> found = find_files(options.scene); !found) return found;
+    if (Result<void> allowed = check_record(options); !allowed) return allowed;
     GlfwSession glfw;
     auto refused = [](const std::string& what) {
         const char* why = nullptr;
@@ -371,6 +373,10 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
     if (!settings) tell(viewer, printable(settings.error().message));
     start_changes(options, *show, viewer);
     begin_run(viewer.time, *show->loaded.world);
+    if (show->playing) viewer.time.latest = show->playing->last;
+    Result<TakingPtr> taking = begin_taking(options, *show->loaded.world);
+    if (!taking) return taking.error();
+    show->taking = std::move(*taking);
     if (paces)
         add_setting(paces->figures, options, *show->loaded.world);
     else
@@ -383,7 +389,9 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
         return run_loop(*show, canvas, viewer, paces);
     });
     end_film(viewer);
-    viewer.time.anew.reset();                            // they are made of the show
+    viewer.time.anew.reset();  // they are made of the show
+    Result<void> recorded = finish_taking(std::move(show->taking));
+    if (done && !recorded) return recorded;
     if (done && is_opening(viewer.opening)) end_now(0);  // nobody waits for what is being loaded
     return done;
 }

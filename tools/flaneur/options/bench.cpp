@@ -151,6 +151,7 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     bench->add_option("--out", options.out, "Where peers writes its two pictures")->type_name("FOLDER");
     add_isa_option(*bench, options);
     add_trace_option(*bench, options);
+    add_record_options(*bench, options);
     bench->add_option("--json", options.json, "Write the figures to a file too")->type_name("FILE");
 }
 

@@ -13,6 +13,7 @@ On one machine, --with runs another flaneur beside this one with the same option
 without --with runs this program once more). Between two machines, `flaneur sim --state-log FILE` writes a log on one, and
 --against FILE runs here the world that it names. A log has all values of its last tick alone: to see both values of a
 difference, write one that ends there.
+--replay FILE reads all of a recording, as flaneur replay FILE --check does.
 It ends with 0 where all is equal, and with 1 where something differs or nothing could be compared.
 Examples:
   flaneur check --sim --with build/before/flaneur --scene corner --walkers 40 --seconds 20
@@ -28,10 +29,8 @@ void add_check(CLI::App& app, SceneWords& words, Options& options) {
                           ->footer(k_check_footer);
     check->callback([&] { options.command = Command::check; });
     SimCheckOptions& sim = options.sim_check;
-    check
-        ->add_flag_callback(
-            "--sim", [] {}, "Compare simulations, tick by tick")
-        ->required();
+    check->add_flag_callback(
+        "--sim", [] {}, "Compare simulations, tick by tick");
     CLI::Option* with = check->add_option("--with", sim.with, "Another flaneur, to be run beside this one")
                             ->type_name("FILE");
     CLI::Option* other =
@@ -63,12 +62,17 @@ void add_check(CLI::App& app, SceneWords& words, Options& options) {
         ->capture_default_str();
     add_scene_options(*check, words, options);
     add_isa_option(*check, options);
+    add_replay_option(*check, words);
+    for (const char* name : {"--sim", "--with", "--with-options", "--against", "--seconds"})
+        check->get_option("--replay")->excludes(check->get_option(name));
 }
 
 Result<void> settle_check(const CLI::App& command, const Options& options) {
-    if (options.command != Command::check ||
-        command.count("--with") + command.count("--with-options") + command.count("--against") > 0)
-        return {};
+    if (options.command != Command::check || !options.replay.empty()) return {};
+    if (command.count("--sim") == 0)
+        return Error{
+            "check finds where two simulations part, with --sim, or reads a recording, with --replay FILE."};
+    if (command.count("--with") + command.count("--with-options") + command.count("--against") > 0) return {};
     return Error{
         "check --sim compares this program with another one: say --with OTHER_FLANEUR, --with-options "
         "\"--threads 1\" or --against LOG."};

@@ -10,6 +10,8 @@ void add_view(CLI::App& app, SceneWords& words, Options& options);
 void add_render(CLI::App& app, SceneWords& words, Options& options);
 void add_sim(CLI::App& app, SceneWords& words, Options& options);
 void add_check(CLI::App& app, SceneWords& words, Options& options);
+void add_replay(CLI::App& app, SceneWords& words, Options& options);
+void add_diff(CLI::App& app, Options& options);
 void add_validate(CLI::App& app, Options& options);
 void add_measure(CLI::App& app, Options& options);
 void add_bench(CLI::App& app, SceneWords& words, Options& options);
@@ -23,6 +25,15 @@ void add_cache(CLI::App& app, Options& options);
 
 // What is drawn with: device, size, quality.
 void add_drawing_options(CLI::App& app, SceneWords& words, Options& options);
+
+// --view
+void add_work_views(CLI::App& app, SceneWords& words);
+
+// --record and what belongs to it; --replay, after all options of the scene
+void add_record_options(CLI::App& app, Options& options);
+void add_replay_option(CLI::App& app, SceneWords& words);
+// The scene that a recording is of. Refuses, in a sentence, what is none.
+Result<Scene> replayed_scene(const std::string& path, Options& options);
 
 // --trace
 void add_trace_option(CLI::App& app, Options& options);

@@ -17,6 +17,7 @@ constexpr const char* k_footer = R"(Examples:
   flaneur render --city berlin.osm --walkers 2000 --frames 600:1200 --out out/berlin.mp4
   flaneur sim --seconds 60 --hash                          the same number on every x86-64 machine
   flaneur check --sim --with OTHER_FLANEUR                 the first tick, walker and field in which two builds differ
+  flaneur sim --seconds 60 --record out/a.flr              a minute, to be shown by flaneur replay out/a.flr
   flaneur validate                                         the tests of RiMEA and NIST, expected beside measured
   flaneur measure corridor.txt --out out/corridor          density, speed, flow and more of any trajectories
   flaneur bench frame --walkers 2000                       where the time of a frame goes
@@ -53,6 +54,8 @@ Result<std::variant<std::monostate, Options>> parse_words(int argc, char** argv)
     add_check(app, words, options);
     add_validate(app, options);
     add_measure(app, options);
+    add_replay(app, words, options);
+    add_diff(app, options);
     add_bench(app, words, options);
     add_gait(app, words, options);
     add_people(app, words, options);

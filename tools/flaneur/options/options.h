@@ -10,6 +10,7 @@
 #include "assets/measures/service.h"
 #include "assets/measures/ttc.h"
 #include "assets/person.h"
+#include "assets/recording/head.h"
 #include "assets/scene.h"
 #include "assets/trajectories/trajectories.h"
 #include "sim/base/result.h"
@@ -32,7 +33,9 @@ enum class Command {
     cache,
     check,
     validate,
-    measure
+    measure,
+    replay,
+    diff
 };
 enum class BenchLoad {
     frame,
@@ -167,6 +170,13 @@ inline bool asks_for_all(const MeasureOptions& o) {
            o.profile == 0;
 }
 
+// What is recorded, of view, render, sim and bench tick.
+struct RecordOptions {
+    std::string path;  // empty: nothing is
+    RecordedAs as = RecordedAs::motion;
+    float error = 0.001f;  // of motion: metres at most; 0: to the last bit
+};
+
 struct Options {
     Command command = Command::view;
     Scene scene;      // with what the command line says instead
@@ -183,6 +193,11 @@ struct Options {
     bool validate = false;
     Techniques techniques;               // of those who are drawn; not of bench
     std::optional<bool> lights_on_host;  // rather than on the device; default: where that is a CPU
+
+    RecordOptions record;
+    std::string replay;  // view, render, check, replay: the recording that is shown; empty: a scene is
+    bool checks_replay = false;
+    float within = 0;  // diff: metres that do not count
 
     bool captures = false;  // view, render: RenderDoc is loaded
 

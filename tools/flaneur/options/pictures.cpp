@@ -60,6 +60,8 @@ Result<WorkViews> parse_view_list(const std::string& text) {
     return parse_work_views(names);
 }
 
+}  // namespace
+
 void add_work_views(CLI::App& app, SceneWords& words) {
     add_parsed(
         app, "--view", parse_view_list, words.views,
@@ -67,8 +69,6 @@ void add_work_views(CLI::App& app, SceneWords& words) {
         "or walkable; trails; skeletons; gizmos; ways",
         "VIEW,...", "");
 }
-
-}  // namespace
 
 void add_drawing_options(CLI::App& app, SceneWords& words, Options& options) {
     app.add_option("--device", options.device, "Part of the name of a Vulkan device, or its number")
@@ -125,6 +125,8 @@ void add_view(CLI::App& app, SceneWords& words, Options& options) {
     add_without(*view, words);
     add_lod(*view, options);
     add_trace_option(*view, options);
+    add_record_options(*view, options);
+    add_replay_option(*view, words);
     view->add_flag("--capture", options.captures,
                    "Load RenderDoc, so that Ctrl+F12 captures a picture, with all that draws it, into out/");
     view->add_flag("--start", options.starts, "Begin with the built-in scenes, and the files opened of late");
@@ -148,6 +150,8 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
     add_without(*render, words);
     add_lod(*render, options);
     add_trace_option(*render, options);
+    add_record_options(*render, options);
+    add_replay_option(*render, words);
     add_parsed(*render, "--frames", parse_ticks, options.ticks,
                "Which ticks of the simulation, 60 to the second, to draw: N, A:B or A:B:STEP", "TICKS",
                "600");

@@ -4,6 +4,7 @@
 
 #include "assets/files/file.h"
 #include "assets/files/words.h"
+#include "tools/flaneur/options/commands.h"
 #include "tools/flaneur/options/refusal.h"
 #include "tools/flaneur/options/spelling.h"
 
@@ -147,6 +148,7 @@ static std::string told_place(const Scene& scene) {
 static Result<void> check_camera(const SceneWords& words, const Options& options) {
     using enum CameraChoice::Kind;
     bool is_drawn = options.command == Command::view || options.command == Command::render ||
+                    options.command == Command::replay ||
                     (options.command == Command::bench && options.load == BenchLoad::frame);
     if (!is_drawn) return {};
     const CameraChoice& camera = options.scene.camera;
@@ -177,7 +179,9 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
 }
 
 Result<void> settle_scene(const SceneWords& words, Options& options) {
-    Result<Scene> scene = load_scene(words.scene);
+    const bool is_replayed = !words.replay.empty();
+    Result<Scene> scene = is_replayed ? replayed_scene(words.replay, options) : load_scene(words.scene);
+    if (!scene && is_replayed) return scene.error();
     if (!scene && has_ending(words.scene, ".json")) return scene.error();
     if (!scene) return Error{scene.error().message + did_you_mean(words.scene, scene_names())};
     options.scene = *scene;
@@ -223,7 +227,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     }
     if (!words.people.empty()) options.scene.people = words.people;
     if (!words.idles.empty()) options.scene.idles = words.idles;
-    options.inputs = {words.scene, options.file, options.camera_path};
+    options.inputs = {words.scene, options.file, options.camera_path, words.replay};
     if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
     if (words.hour) {

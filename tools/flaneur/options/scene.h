@@ -30,6 +30,7 @@ struct SceneWords {
     std::optional<Size> size;
     std::optional<WorkViews> views;
     std::optional<Techniques> techniques;
+    std::string replay;  // a recording whose scene it is; empty: `scene` is named
 };
 
 // An option whose text one of the parse_ functions takes apart. What they refuse with begins with the text.

@@ -23,6 +23,7 @@ Examples:
   flaneur sim --seconds 300 --line -4,12/4,12 --measures out/flow.csv
   flaneur sim --seconds 300 --line door:2,8/5,8 --zone 0,0/8,0/8,6/0,6 --measures out/square.csv
   flaneur sim --seconds 300 --measures-of measures.json --measures out/flow.csv
+  flaneur sim --seconds 60 --record out/a.flr                   and flaneur replay out/a.flr shows it
   flaneur sim --seconds 120 --trajectories out/square.sqlite --fps 25)";
 
 // Options that may be given again and again, each of which adds to the plan.
@@ -95,6 +96,7 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
         ->check(number_between(0.0, 1e6))
         ->capture_default_str();
     add_trace_option(*sim, options);
+    add_record_options(*sim, options);
     sim->add_flag("--hash", options.hash, "Print the hash of the last state");
     sim->add_option("--hash-log", options.hash_log, "Write a line with tick and hash for each tick")
         ->type_name("FILE");

@@ -71,6 +71,12 @@ static SceneMeshes extract_show(const Show& show) {
 }
 
 Result<PreparedShow> prepare_show(const Options& options) {
+    PlayingPtr playing;
+    if (!options.replay.empty()) {
+        Result<PlayingPtr> opened = open_playing(options.replay, options.threads);
+        if (!opened) return opened.error();
+        playing = std::move(*opened);
+    }
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     show_progress("handing the city to the device");
@@ -82,6 +88,13 @@ Result<PreparedShow> prepare_show(const Options& options) {
     show.lit_windows = lit_windows(options.scene.hour);
     show.without.on = options.techniques;
     show.lod = options.lod;
+    if (playing) {
+        // Bodies are recorded as they were drawn.
+        show.draws_whole = playing->head.as == RecordedAs::motion;
+        if (Result<void> shown = show_tick(*playing, *show.loaded.world, playing->first); !shown)
+            return shown.error();
+        show.playing = std::move(playing);
+    }
     FLANEUR_ZONE("make meshes");
     prepared.meshes = extract_show(show);
     show.has_lamps = is_dark(show);
@@ -205,12 +218,24 @@ void look_from(Show& show, const Camera& camera) {
 }
 
 void step(Show& show) {
-    keep_previous(show.without, *show.loaded.world);
-    step(*show.loaded.world);
+    World& world = *show.loaded.world;
+    if (!show.draws_whole) keep_previous(show.without, world);
+    if (show.playing) {
+        const Result<void> shown = show_tick(*show.playing, world, world.tick + 1);
+        if (!shown) show.playing->failed = shown.error();
+    } else {
+        step(world);
+    }
+    if (show.taking) (void)take(*show.taking, world);  // finish_taking() tells what failed
     if (show.work_views[WorkView::trails])
         follow_trails(*show.loaded.world, show.overlay.trails);
     else
         show.overlay.trails = {};
+}
+
+Result<void> go_straight(Show& show, uint32_t tick) {
+    show.overlay.trails = {};
+    return show_tick(*show.playing, *show.loaded.world, tick);
 }
 
 void set_work_views(Show& show, WorkViews views) {

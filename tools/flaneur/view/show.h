@@ -9,12 +9,16 @@
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/options/options.h"
 #include "tools/flaneur/overlay/overlay.h"
+#include "tools/flaneur/recording/playing.h"
+#include "tools/flaneur/recording/taking.h"
 
 namespace flaneur {
 
 struct Show {
     RendererPtr renderer;
     Loaded loaded;
+    PlayingPtr playing;  // what is shown instead of simulated; null: ticks are
+    TakingPtr taking;    // records each tick; null: nobody does
     Sun sun;
     bool is_overcast = false;
     float lit_windows = 0;   // share
@@ -58,8 +62,11 @@ bool is_dark(const Sun& sun, bool is_overcast);
 // The next ticks are looked at by this camera: see look_from() in sim/sim.h. A long lens looks farther.
 void look_from(Show& show, const Camera& camera);
 
-// One tick, and what the views for work keep of it.
+// One tick, simulated or as it was recorded, and what the views for work keep of it. Where a recording has
+// none, nothing changes, and Playing::failed says why.
 void step(Show& show);
+// To a tick of the recording that is shown; what the views for work keep begins anew.
+Result<void> go_straight(Show& show, uint32_t tick);
 
 // Shows these from the next frame on. Where the device draws no wireframe, normals take its place, and stderr
 // says so.

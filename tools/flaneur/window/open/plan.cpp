@@ -18,7 +18,9 @@ using Names = std::vector<std::string_view>;
 const Names k_place = {"--scene", "--city", "--center", "--radius", "--terrain", "--scale", "--camera"};
 const Names k_people = {"--character", "--idle", "--walkers", "--time",
                         "--weather",   "--side", "--seed",    "--view"};
-constexpr std::array<std::string_view, 1> k_beginning = {"--start"}, k_pictures = {"--frames"};
+constexpr std::array<std::string_view, 1> k_beginning = {"--start"};
+constexpr std::array<std::string_view, 5> k_once = {"--frames", "--replay", "--record", "--record-as",
+                                                    "--record-error"};
 
 bool ends_in(const std::string& path, std::initializer_list<std::string_view> endings) {
     for (const std::string_view ending : endings)
@@ -27,12 +29,19 @@ bool ends_in(const std::string& path, std::initializer_list<std::string_view> en
 }
 
 std::vector<std::string> without(const std::vector<std::string>& words, const Names& options) {
-    return without_options(without_options(words, k_pictures, k_beginning), options);
+    return without_options(without_options(words, k_once, k_beginning), options);
 }
 
 void add(std::vector<std::string>& words, const char* option, std::string value) {
     words.emplace_back(option);
     words.push_back(std::move(value));
+}
+
+ShowWish wish_of(std::vector<std::string> words, std::string told = {}) {
+    ShowWish wish;
+    wish.words = std::move(words);
+    wish.told = std::move(told);
+    return wish;
 }
 
 Result<ShowWish> parsed(ShowWish wish) {
@@ -51,7 +60,7 @@ Result<ShowWish> parsed(ShowWish wish) {
 
 // Whether an OpenStreetMap city is shown.
 bool has_map(const std::vector<std::string>& words) {
-    const Result<ShowWish> now = parsed({without(words, {"--terrain"}), {}, {}, {}});
+    const Result<ShowWish> now = parsed(wish_of(without(words, {"--terrain"})));
     return now && kind_of(now->options.scene.city) == FileKind::map;
 }
 
@@ -67,7 +76,8 @@ std::string told_share(const ShowWish& wish, const std::string& name) {
 Result<ShowWish> wish_for_file(const std::vector<std::string>& words, const std::string& path) {
     if (Result<void> found = find_file(path); !found) return found.error();
     const std::string name = std::filesystem::path(path).filename().string();
-    ShowWish wish{words, {}, path, {}};
+    ShowWish wish = wish_of(words);
+    wish.file = path;
     const FileKind kind = kind_of(path);
     if (has_ending(path, ".json")) {
         wish.words = without(without(words, k_place), k_people);
@@ -102,17 +112,15 @@ Result<ShowWish> wish_for_file(const std::vector<std::string>& words, const std:
 }
 
 Result<ShowWish> wish_for_scene(const std::vector<std::string>& words, const std::string& name) {
-    ShowWish wish{without(without(words, k_place), k_people), {}, {}, "The scene " + name + " is open."};
+    ShowWish wish = wish_of(without(without(words, k_place), k_people), "The scene " + name + " is open.");
     add(wish.words, "--scene", name);
     return parsed(std::move(wish));
 }
 
 Result<ShowWish> wish_for_course(const std::vector<std::string>& words, bool is_flat, int walkers,
                                  uint64_t seed) {
-    ShowWish wish{without(words, {"--scene", "--camera", "--walkers", "--seed"}),
-                  {},
-                  {},
-                  is_flat ? "The course is in one line." : "The course goes round."};
+    ShowWish wish = wish_of(without(words, {"--scene", "--camera", "--walkers", "--seed"}),
+                            is_flat ? "The course is in one line." : "The course goes round.");
     add(wish.words, "--scene", is_flat ? "stepper-flat" : "stepper");
     add(wish.words, "--walkers", std::to_string(std::min(walkers, k_course_walkers)));
     add(wish.words, "--seed", std::to_string(seed));

@@ -90,6 +90,39 @@ void take_run(Show& show, Viewer& v, std::unique_ptr<World> world) {
     tell(v, "Seed " + std::to_string(show.loaded.world->seed) + ", from the start");
 }
 
+// The next tick of the recording that is shown, which may still be written; at its end time stands still.
+void play_tick(Show& show, Viewer& v) {
+    Playing& playing = *show.playing;
+    const World& world = *show.loaded.world;
+    if (world.tick >= playing.last) (void)look_again(playing);
+    v.time.latest = playing.last;
+    if (world.tick >= playing.last) {
+        v.clock.is_paused = true;
+        return;
+    }
+    step(show);
+    if (!playing.failed) return;
+    v.clock.is_paused = true;
+    tell(v, std::exchange(playing.failed, std::nullopt)->message);
+}
+
+// Any tick of it at once.
+void play_at(Show& show, Viewer& v, uint32_t tick) {
+    const Playing& playing = *show.playing;
+    const Result<void> shown = go_straight(show, std::clamp(tick, playing.first, playing.last));
+    v.cameras.rig = {};
+    if (shown) return;
+    v.clock.is_paused = true;
+    tell(v, shown.error().message);
+}
+
+// What was changed since the last tick of all is recorded before the next one.
+void record_change(const Show& show, const Timeline& time) {
+    const World& world = *show.loaded.world;
+    const bool is_changed = !time.changes.empty() && time.changes.back() == world.tick;
+    if (show.taking && is_changed && time.latest == world.tick) note_change(*show.taking, world);
+}
+
 }  // namespace
 
 Anew::~Anew() {
@@ -147,6 +180,8 @@ static void let_go_of_gone(Viewer& v, const World& world) {
 }
 
 void make_tick(Show& show, Viewer& v) {
+    if (show.playing) return play_tick(show, v);
+    record_change(show, v.time);
     look_from(show, v.camera);
     step(show);
     v.time.is_rough = false;
@@ -178,6 +213,7 @@ void go_to_event(Viewer& v, const World& world, const Event& event) {
 
 void go_to_next_event(Show& show, Viewer& v) {
     const World& world = *show.loaded.world;
+    if (show.playing) return tell(v, "Nothing is watched for in what was recorded.");
     if (world.roam) return tell(v, "Nothing is watched for where people roam round a compound.");
     if (world.crowd.slots.living.empty()) return tell(v, "Nobody is there to whom something could happen.");
     if (const Event* event = event_after(v.time.watch.events, world.tick, v.time.wants))
@@ -194,6 +230,11 @@ void go_to_event_before(Show& show, Viewer& v) {
 
 bool go_on(Show& show, Viewer& v, double now) {
     Timeline& time = v.time;
+    if (show.playing && (time.scrubbed_to || time.going)) {
+        play_at(show, v, time.scrubbed_to ? *time.scrubbed_to : time.going->to);
+        if (!time.scrubbed_to) arrive(show, v);
+        return true;
+    }
     if (time.scrubbed_to) {
         scrub(show, time);
         v.cameras.rig = {};
@@ -285,6 +326,7 @@ void make_anew(Viewer& v, PeopleOrder people, std::optional<BesideChoice> beside
 }
 
 void restart(Show& show, Viewer& v, uint64_t seed) {
+    if (show.playing) return tell(v, "A recording is shown: its people are those who were there.");
     const World& world = *show.loaded.world;
     PeopleOrder people = order_people(show.loaded, seed, kept_people(world));
     if (v.change.late > 0) people.options.hour = v.change.carried.hour;  // from which on it was set last

@@ -1,0 +1,13 @@
+// Whether there can be a recording, before anything is loaded for it.
+#pragma once
+
+#include "sim/base/result.h"
+#include "tools/flaneur/options/options.h"
+
+namespace flaneur {
+
+// Refuses, in a sentence, where --record could not write, and inputs of a world that goes by where it is
+// looked at from.
+Result<void> check_record(const Options& options);
+
+}  // namespace flaneur
