@@ -54,7 +54,7 @@ Clock clock_of(const FoundTracks& found) {
                             common = std::gcd(common, std::llround(t - clock.first));
                             return t == std::round(t);
                         });
-        clock.step = static_cast<double>(common);
+        clock.step = clock.is_even ? static_cast<double>(common) : 1;
         return clock;
     }
     // Times have few digits: so the step is found over all of them.

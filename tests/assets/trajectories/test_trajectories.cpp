@@ -185,6 +185,7 @@ TEST(Trajectories, WhatCannotBeReadIsRefusedByName) {
     refused("f.txt", rate + "1 0 1 2 3\n1 0 1 5 3\n", "twice in frame 0");
     refused("h.txt", rate + "1.5 1 1 2 3\n", "line 2");
     refused("i.txt", "#framerate: 1e9\n1 0 1 2 3\n", "rate of frames");
+    refused("j.csv", "id,frame,x,y\n1,0.5,0,0\n1,1.5,0,0\n", "whole numbers");
     refused("a.csv", "frame,id\n", "line 1");
     refused("b.csv", "frame,time_s,id,x_m,y_m,z_m,facing_x,facing_y\n0,0,1\n", "line 2");
     refused("c.csv", "id,t,x,y\n1,soon,0,0\n", "line 2");
