@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,27 +45,33 @@ struct WalkablePolygon {
 };
 
 struct Trajectories {
+    std::string format;               // what the file is: "FCD of SUMO"
     float fps = 25;                   // frames a second; frame f is f / fps seconds after frame 0
     std::vector<Sighting> sightings;  // by frame, then by id; nobody is twice in a frame
     HeightsOf heights = HeightsOf::nothing;
     std::vector<Tracked> tracked;          // by id; who is not in it is a person of unknown size
-    std::vector<WalkablePolygon> area;     // where people can be; empty: the file does not say
+    std::vector<WalkablePolygon> area;     // where people can be; empty: no file says
     std::vector<std::vector<Vec2>> walls;  // lines that nobody crosses, and that no outline has
     std::vector<std::string> assumed;      // sentences: what was not in the file, and why it was taken so
 };
 
 inline constexpr size_t k_most_sightings = 20'000'000;
 
-// By how its name ends:
-//   .txt            PeTrack and jpscore: "id frame x y [z ..]" a row, and comments that begin with #, of
-//                   which one has "framerate". Metres or centimetres, as a comment says ("x/m", "in m",
-//                   "x/cm", "in cm"); where none does, centimetres if people would go faster than 20 m/s
-//                   else.
-//   .csv            as TrajectoryWriter writes it
-//   .sqlite         JuPedSim, version 1 or 2
-//   .h5, .hdf5      of the Juelich data archive: the data set "trajectory" and the attribute "wkt_geometry"
-// Refuses, in a sentence, what cannot be read, is cut short, has numbers that are not finite or lie beyond
-// 100 km, somebody twice in a frame, nobody at all, and more than k_most_sightings.
-Result<Trajectories> read_trajectories(const std::string& path);
+// What is known of a file better than it says itself; what is left as it is goes by evidence.
+struct TrajectoryReading {
+    float unit = 0;                // metres: what 1 is in the file; 0: by evidence
+    float fps = 0;                 // frames a second; 0: by evidence
+    char up = 0;                   // 'z' or 'y', the axis that points upwards in the file; 0: by evidence
+    std::optional<Vec2> origin{};  // a place of the file, in its own unit (east, north), that is to be (0, 0)
+    std::string geometry{};        // a file of where people can be; empty: one that lies beside it and fits
+};
+
+// By what is in a file, whatever it is called, packed by gzip or not; docs/trajectories.md has the table of
+// formats, and how unit, rate, axes and the kind of heights are found where none is told: a sentence each in
+// Trajectories::assumed. Times that are not even are put on even ones along straight lines.
+// Refuses, in a sentence, what cannot be read or is cut short, places farther than 100 km from each other,
+// somebody in two places at once in more than one of a hundred rows, nobody at all, and more than
+// k_most_sightings. Rows whose places are no numbers are left out, and counted in `assumed`.
+Result<Trajectories> read_trajectories(const std::string& path, const TrajectoryReading& reading = {});
 
 }  // namespace flaneur

@@ -3,6 +3,8 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <map>
+#include <vector>
 
 #include "assets/files/file.h"
 #include "assets/files/words.h"
@@ -17,6 +19,8 @@ struct TrajectoryWriter {
     FILE* file = nullptr;
     double fps = 25;
     bool fails = false;
+    // By id: what features are written of, and of steps the last one alone.
+    std::map<uint32_t, std::vector<Sighting>> paths;
     // SQLite's
     sqlite3* database = nullptr;
     sqlite3_stmt* add_person = nullptr;
@@ -130,12 +134,77 @@ bool add_to_database(TrajectoryWriter& writer, uint32_t frame, std::span<const S
     });
 }
 
+constexpr const char* k_fcd_head =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<fcd-export xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+    "xsi:noNamespaceSchemaLocation=\"http://sumo.dlr.de/xsd/fcd_file.xsd\">\n";
+constexpr const char* k_steps_head =
+    "#IDXCOL=2,DATACOL=5,SEP=' '\n"
+    "pedestrianId simTime endTime-PID1 startX-PID1 startY-PID1 endX-PID1 endY-PID1\n";
+constexpr const char* k_features_head =
+    "{\"type\": \"FeatureCollection\",\n"
+    " \"crs\": {\"type\": \"Name\", \"properties\": {\"name\": \"metres to the east, to the north and "
+    "up\"}},\n"
+    " \"features\": [";
+
+// Degrees clockwise from north, 0 .. 360.
+double compass(Vec2 facing) {
+    const double degrees = wide(arctan2(facing.x, 0 - facing.z)) * 180 / wide(k_pi);
+    return degrees < 0 ? degrees + 360 : degrees;
+}
+
+void add_to_fcd(TrajectoryWriter& writer, double seconds, std::span<const Sighting> people) {
+    std::fprintf(writer.file, "    <timestep time=\"%.4f\">\n", seconds);
+    for (const Sighting& s : people) {
+        std::fprintf(writer.file, "        <person id=\"%u\" x=\"%.4f\" y=\"%.4f\" z=\"%.4f\"", s.id,
+                     rounded(wide(s.at.x)), rounded(north(s.at.z)), rounded(wide(s.height)));
+        if (s.facing != Vec2{}) std::fprintf(writer.file, " angle=\"%.3f\"", compass(s.facing));
+        std::fputs("/>\n", writer.file);
+    }
+    std::fputs("    </timestep>\n", writer.file);
+}
+
+// From where somebody was in the frame before; who is new takes a step on the spot.
+void add_to_steps(TrajectoryWriter& writer, uint32_t frame, std::span<const Sighting> people) {
+    for (const Sighting& s : people) {
+        std::vector<Sighting>& last = writer.paths[s.id];
+        const Sighting from = !last.empty() && last[0].frame + 1 == frame ? last[0] : s;
+        std::fprintf(writer.file, "%u %.4f %.4f %.4f %.4f %.4f %.4f\n", s.id, from.frame / writer.fps,
+                     frame / writer.fps, rounded(wide(from.at.x)), rounded(north(from.at.z)),
+                     rounded(wide(s.at.x)), rounded(north(s.at.z)));
+        last.assign(1, s);
+        last[0].frame = frame;
+    }
+}
+
+void write_features(const TrajectoryWriter& writer) {
+    const char* between = "\n";
+    for (const auto& [id, path] : writer.paths) {
+        std::fprintf(writer.file,
+                     "%s  {\"type\": \"Feature\", \"id\": %u, \"properties\": {},\n"
+                     "   \"temporalGeometry\": {\"type\": \"MovingPoint\", \"datetimes\": [",
+                     between, id);
+        for (const Sighting& s : path)
+            std::fprintf(writer.file, "%s%.3f", &s == path.data() ? "" : ", ", s.frame * 1000 / writer.fps);
+        std::fputs("],\n    \"coordinates\": [", writer.file);
+        for (const Sighting& s : path)
+            std::fprintf(writer.file, "%s[%.4f, %.4f, %.4f]", &s == path.data() ? "" : ", ",
+                         rounded(wide(s.at.x)), rounded(north(s.at.z)), rounded(wide(s.height)));
+        std::fputs("]}}", writer.file);
+        between = ",\n";
+    }
+    std::fputs("\n]}\n", writer.file);
+}
+
 }  // namespace
 
 std::optional<TrajectoryFormat> trajectory_format_of(std::string_view path) {
     if (has_ending(path, ".csv")) return TrajectoryFormat::csv;
     if (has_ending(path, ".sqlite")) return TrajectoryFormat::sqlite;
     if (has_ending(path, ".txt")) return TrajectoryFormat::text;
+    if (has_ending(path, ".xml")) return TrajectoryFormat::fcd;
+    if (has_ending(path, ".json") || has_ending(path, ".geojson")) return TrajectoryFormat::features;
+    if (has_ending(path, ".traj")) return TrajectoryFormat::steps;
     return std::nullopt;
 }
 
@@ -156,6 +225,15 @@ Result<TrajectoryWriterPtr> begin_trajectories(TrajectoryFormat format, FILE* fi
                          "# id frame x/m y/m z/m\n",
                          about.c_str(), plainly(fps).c_str());
             break;
+        case TrajectoryFormat::fcd:
+            std::fputs(k_fcd_head, file);
+            break;
+        case TrajectoryFormat::features:
+            std::fputs(k_features_head, file);
+            break;
+        case TrajectoryFormat::steps:
+            std::fputs(k_steps_head, file);
+            break;
         case TrajectoryFormat::sqlite:
             if (!begin_database(*writer, path, area, about))
                 return Error{std::string("SQLite cannot write there: ") + sqlite3_errmsg(writer->database) +
@@ -170,6 +248,15 @@ bool add_frame(TrajectoryWriter& writer, uint32_t frame, std::span<const Sightin
         return !writer.fails;
     }
     const double seconds = frame / writer.fps;
+    if (writer.format == TrajectoryFormat::fcd) add_to_fcd(writer, seconds, people);
+    if (writer.format == TrajectoryFormat::steps) add_to_steps(writer, frame, people);
+    if (writer.format == TrajectoryFormat::features)
+        for (const Sighting& s : people) {
+            writer.paths[s.id].push_back(s);
+            writer.paths[s.id].back().frame = frame;
+        }
+    if (writer.format != TrajectoryFormat::text && writer.format != TrajectoryFormat::csv)
+        return std::ferror(writer.file) == 0;
     for (const Sighting& s : people) {
         const double x = rounded(wide(s.at.x)), y = rounded(north(s.at.z)), z = rounded(wide(s.height));
         if (writer.format == TrajectoryFormat::text)
@@ -182,6 +269,8 @@ bool add_frame(TrajectoryWriter& writer, uint32_t frame, std::span<const Sightin
 }
 
 Result<void> finish_trajectories(TrajectoryWriterPtr writer) {
+    if (writer->format == TrajectoryFormat::fcd) std::fputs("</fcd-export>\n", writer->file);
+    if (writer->format == TrajectoryFormat::features) write_features(*writer);
     if (writer->format != TrajectoryFormat::sqlite) return {};
     if (writer->fails ||
         !run_sql(*writer, "CREATE INDEX frame_id_idx ON trajectory_data(frame, id); COMMIT;"))

@@ -13,8 +13,9 @@
 namespace flaneur {
 
 // csv: a row each under "frame,time_s,id,x_m,y_m,z_m,facing_x,facing_y". sqlite: JuPedSim's, version 2. text:
-// PeTrack's, which PedPy reads.
-enum class TrajectoryFormat : uint8_t { csv, sqlite, text };
+// PeTrack's, which PedPy reads. fcd: floating-car data of SUMO, XML. features: moving features of OGC in
+// metres, which are kept in memory until all is told, 24 bytes each. steps: Vadere's, from frame to frame.
+enum class TrajectoryFormat : uint8_t { csv, sqlite, text, fcd, features, steps };
 // By how a name ends; none: by no ending that is known.
 std::optional<TrajectoryFormat> trajectory_format_of(std::string_view path);
 

@@ -1,10 +1,11 @@
-// libFuzzer's target for trajectories: any bytes become places that are finite, in order, or are refused. How
-// they begin says of which format they are.
+// libFuzzer's target for trajectories: any bytes become places that are finite, in order, or are refused, and
+// ground as well, or none.
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
 #include <tuple>
 
+#include "assets/trajectories/geometry.h"
 #include "assets/trajectories/trajectories.h"
 #include "tests/folder.h"
 
@@ -12,11 +13,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     using namespace flaneur;
     static const TestFolder folder;
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    const char* name = bytes.starts_with("\x89HDF")    ? "fuzz.h5"
-                       : bytes.starts_with("SQLite")   ? "fuzz.sqlite"
-                       : bytes.starts_with("frame,ti") ? "fuzz.csv"
-                                                       : "fuzz.txt";
-    const Result<Trajectories> read = read_trajectories(folder.write(name, bytes));
+    if (const Result<WalkableGeometry> ground = parse_geometry(bytes))
+        for (const WalkablePolygon& polygon : ground->area)
+            if (polygon.outer.size() < 3) std::abort();
+    const Result<Trajectories> read = read_trajectories(folder.write("fuzz.bin", bytes));
+    if (!read && !read.error().message.ends_with('.')) std::abort();
     if (!read) return 0;
     if (read->sightings.empty() || !(read->fps > 0)) std::abort();
     const Sighting* last = nullptr;

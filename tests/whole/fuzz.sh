@@ -12,7 +12,7 @@ case $name in
     path | scene) also=() length=4096 ;;
     recording) also=() length=16384 ;;
     terrain) also=(corpus/osm -size -64k '(' -name '*.tif' -o -name '*.zip' ')') length=32768 ;;
-    trajectories) also=(corpus/trajectories -size -32k -name '*.txt') length=16384 ;;
+    trajectories) also=(corpus/trajectories -size -32k -type f) length=16384 ;;
     *) echo "fuzz.sh: there is no target $name." >&2 && exit 2 ;;
 esac
 seeds=$(mktemp -d)

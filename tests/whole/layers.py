@@ -51,6 +51,8 @@ assets: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/crowd, s
 assets/plan: assets, sim/base, sim/lamps
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/measures: assets/trajectories, sim/base, sim/ground
+assets/trajectories/formats: assets/files, assets/trajectories, sim/base
+assets/trajectories/ground: assets/files, assets/plan, assets/trajectories, assets/trajectories/formats, sim/base
 assets/recording: sim/base, sim/body, sim/pose
 assets/pastimes: assets, sim/base, sim/ground, sim/pastimes
 assets/props: assets, sim/base

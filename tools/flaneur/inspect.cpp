@@ -14,6 +14,7 @@
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/tracks/facts.h"
 
 namespace flaneur {
 
@@ -193,6 +194,12 @@ Result<Json> inspect(const Options& options) {
         Result<City> city = load_city(path, how);
         if (!city) return city.error();
         return facts_of(*city, "map");
+    }
+    if (kind_of(path) == FileKind::other) {
+        Result<Trajectories> tracks = read_trajectories(path);
+        if (tracks) return facts_of(*tracks);
+        // What looks like rows is none of the things below.
+        if (!has_ending(path, ".json")) return tracks.error();
     }
     Result<Character> character = load_character(path, {options.force, cache_folder()});
     if (character) return facts_of(*character);

@@ -55,7 +55,7 @@ std::string write_two(const TestFolder& folder, const std::string& name) {
 
 TEST(Trajectories, ComeBackAsTheyWereWritten) {
     TestFolder folder;
-    for (const char* name : {"a.csv", "a.sqlite", "a.txt"}) {
+    for (const std::string name : {"a.csv", "a.sqlite", "a.txt", "a.xml", "a.json", "a.traj"}) {
         SCOPED_TRACE(name);
         Result<Trajectories> read = read_trajectories(write_two(folder, name));
         ASSERT_TRUE(read) << read.error().message;
@@ -64,14 +64,16 @@ TEST(Trajectories, ComeBackAsTheyWereWritten) {
         for (const std::vector<Sighting>& people : two_people())
             wanted.insert(wanted.end(), people.begin(), people.end());
         ASSERT_EQ(read->sightings.size(), wanted.size());
-        const bool is_text = std::string(name) == "a.txt", is_database = std::string(name) == "a.sqlite";
+        const bool is_database = name == "a.sqlite", is_flat = is_database || name == "a.traj";
+        const bool has_no_facing = name == "a.txt" || name == "a.json" || name == "a.traj";
+        EXPECT_EQ(read->heights, is_flat ? HeightsOf::nothing : HeightsOf::ground);
         for (size_t i = 0; i < wanted.size(); ++i) {
             const Sighting &is = read->sightings[i], &was = wanted[i];
             EXPECT_EQ(is.frame, was.frame);
             EXPECT_EQ(is.id, was.id);
             EXPECT_TRUE(is.at == was.at) << is.at.x << " " << is.at.z;
-            EXPECT_EQ(is.height, is_database ? 0 : was.height) << "a database is flat";
-            EXPECT_TRUE(is.facing == (is_text ? Vec2{} : was.facing)) << "a text faces nowhere";
+            EXPECT_EQ(is.height, is_flat ? 0 : was.height);
+            EXPECT_LT(length(is.facing - (has_no_facing ? Vec2{} : was.facing)), 1e-5f);
         }
         ASSERT_EQ(read->area.size(), is_database ? 1u : 0u);
         if (!is_database) continue;
@@ -138,6 +140,8 @@ TEST(Trajectories, TextsAreInMetresOrCentimetres) {
     // Where no comment says, as fast as somebody goes: 15 m/s or 15 cm/s; 120 cm/s or 120 m/s.
     EXPECT_TRUE(first(rate, "1 0 250 50 0\n1 1 251.5 50 0\n") == (Vec2{250, -50}));
     EXPECT_TRUE(first(rate, "1 0 250 50 0\n1 1 262 50 0\n") == (Vec2{2.5f, -0.5f}));
+    // 120 cm/s at 25 frames a second, where no comment says how many there are.
+    EXPECT_TRUE(first("", "1 0 250 50 0\n1 1 254.8 50 0\n") == (Vec2{2.5f, -0.5f}));
     EXPECT_TRUE(first("#framerate:8.00\n#X,Y,Z: (in metres)\n", "1 0 1.5 0 0 9 9 9\n") == (Vec2{1.5f, 0}));
 }
 
@@ -166,21 +170,40 @@ TEST(Trajectories, WhatCannotBeReadIsRefusedByName) {
     };
     const std::string rate = "#framerate: 25\n";
     refused("nowhere.txt", "", "no file");
-    refused("a.dat", "x", ".sqlite");
-    refused("a.txt", "1 0 0 0 0\n", "framerate");
+    refused("a.dat", "x", "no columns that are known");
+    refused("b.dat",
+            std::string("\x7f"
+                        "ELF\0\1",
+                        6),
+            "no format that is known");
     refused("b.txt", rate, "nobody");
-    refused("c.txt", rate + "1 0 nan 0 0\n", "line 2");
+    refused("c.txt", rate + "1 0 nan 0 0\n", "nobody");
     refused("d.txt", rate + "1 0 1e9 0 0\n", "100 km");
+    refused("D.txt", rate + "# in m\n1 0 0 0 0\n1 1 3e5 0 0\n", "100 km");
     refused("e.txt", rate + "1 0 1\n", "line 2");
-    refused("f.txt", rate + "1 0 1 2 3\n1 0 1 2 3\n", "twice");
-    refused("g.txt", rate + "1 -1 1 2 3\n", "frame -1");
+    refused("E.txt", rate + "1 0 1 2\n1 1 1\n", "line 3");
+    refused("f.txt", rate + "1 0 1 2 3\n1 0 1 5 3\n", "twice in frame 0");
     refused("h.txt", rate + "1.5 1 1 2 3\n", "line 2");
     refused("i.txt", "#framerate: 1e9\n1 0 1 2 3\n", "rate of frames");
-    refused("a.csv", "frame,id\n", "begin with");
-    refused("b.csv", "frame,time_s,id,x_m,y_m,z_m,facing_x,facing_y\n0,0,1,0,0,0,0\n", "line 2");
-    refused("c.csv", "frame,time_s,id,x_m,y_m,z_m,facing_x,facing_y\n0,0,1,0,0,0,0,0\n", "one frame");
-    refused("a.sqlite", "not a database, and long enough for one to look at", "SQLite");
-    refused("a.h5", "\x89HDX", "HDF5");
+    refused("j.csv", "id,frame,x,y\n1,0.5,0,0\n1,1.5,0,0\n", "whole numbers");
+    refused("a.csv", "frame,id\n", "line 1");
+    refused("b.csv", "frame,time_s,id,x_m,y_m,z_m,facing_x,facing_y\n0,0,1\n", "line 2");
+    refused("c.csv", "id,t,x,y\n1,soon,0,0\n", "line 2");
+    refused("d.csv", "\xff\xfei\0d\0", "UTF-16");
+    refused("a.xml", "<fcd-export><timestep time='0'><person id='1' x='1'/></timestep></fcd-export>",
+            "line 1");
+    refused("b.xml", "<fcd-export><timestep time='0'>", "XML");
+    refused("c.xml", "<net><edge/></net>", "another kind");
+    refused("d.xml", "<!DOCTYPE a [<!ENTITY b 'c'>]><fcd-export/>", "entity");
+    refused("a.json", "{", "JSON");
+    refused("b.json", R"({"type": "FeatureCollection", "features": []})", "without anybody");
+    refused("c.json",
+            R"({"features": [{"temporalGeometry": {"datetimes": [1, 2], "coordinates": [[1, 2]]}}]})",
+            "feature 1");
+    refused("a.gz", std::string("\x1f\x8b\x08\0\0\0\0\0\0\0", 10), "cut short");
+    refused("a.vsp", "2 - the number of splines\n2 - Num of control points\n1 2 3 4\n", "line 3");
+    refused("a.sqlite", "SQLite format 3, and long enough for one to look at", "SQLite");
+    refused("a.h5", "\x89HDF\r\n", "HDF5");
 
     auto changed = [&](const std::string& name, const char* query, const std::string& why) {
         write_two(folder, name);
@@ -191,15 +214,14 @@ TEST(Trajectories, WhatCannotBeReadIsRefusedByName) {
     changed("c.sqlite", "UPDATE metadata SET value = 'fast' WHERE key = 'fps'", "frames a second");
     changed("d.sqlite", "UPDATE geometry SET wkt = 'POLYGON ((1 2'", "walkable area");
     changed("e.sqlite", "UPDATE trajectory_data SET pos_x = 'here' WHERE id = 8", "no number");
-    changed("f.sqlite", "UPDATE trajectory_data SET pos_x = 9e999 WHERE id = 8", "100 km");
+    changed("f.sqlite", "UPDATE trajectory_data SET pos_x = 9e9 WHERE id = 8", "100 km");
     changed("g.sqlite",
             "ALTER TABLE trajectory_data RENAME TO old; CREATE VIEW trajectory_data AS SELECT * FROM old",
             "no plain table");
     const std::vector<HdfRow> row = {{7, 0, 1.5, 2.5, 1.7}};
     const std::string sound = tiny_hdf5(row, 25, "POLYGON ((0 0, 4 0, 4 3, 0 0))");
     refused("b.h5", tiny_hdf5({{7, 0, std::nan(""), 2.5, 1.7}}, 25, "POLYGON ((0 0, 4 0, 4 3, 0 0))"),
-            "100 km");
-    refused("c.h5", tiny_hdf5({{-7, 0, 1, 2.5, 1.7}}, 25, "POLYGON ((0 0, 4 0, 4 3, 0 0))"), "number");
+            "nobody");
     refused("d.h5", tiny_hdf5(row, -1, "POLYGON ((0 0, 4 0, 4 3, 0 0))"), "rate of frames");
     refused("e.h5", tiny_hdf5(row, 25, "CIRCLE (1)"), "walkable area");
     refused("f.h5", sound.substr(0, sound.size() - 1), "cut short");
@@ -213,10 +235,17 @@ TEST(Trajectories, BrokenFilesAreReadSoundlyOrRefused) {
     TestFolder folder;
     folder.write("a.h5",
                  tiny_hdf5({{7, 0, 1.5, 2.5, 1.7}, {8, 0, 1, 2, 1}}, 25, "POLYGON ((0 0, 4 0, 4 3, 0 0))"));
-    for (const char* name : {"a.csv", "a.txt", "a.sqlite"}) write_two(folder, name);
-    for (const std::string name : {"a.h5", "a.csv", "a.txt", "a.sqlite"}) {
+    for (const char* name : {"a.csv", "a.txt", "a.sqlite", "a.xml", "a.json", "a.traj"})
+        write_two(folder, name);
+    folder.write("a.gpx",
+                 "<gpx><trk><name>A</name><trkseg><trkpt lat='50' lon='6'><ele>99.5</ele>"
+                 "<time>2024-05-01T12:00:00Z</time></trkpt><trkpt lat='50.00001' lon='6'>"
+                 "<time>2024-05-01T12:00:01Z</time></trkpt></trkseg></trk></gpx>");
+    folder.write("a.vsp", "1 - the number of splines\n2 - Num of control points\n1 2 3 4\n20 2 12 4\n");
+    for (const std::string name :
+         {"a.h5", "a.csv", "a.txt", "a.sqlite", "a.xml", "a.json", "a.traj", "a.gpx", "a.vsp"}) {
         const std::string sound = bytes_of(folder / name);
-        const uint32_t count = name == "a.sqlite" ? 60 : 600;
+        const uint32_t count = name == "a.sqlite" ? 60 : 300;
         for (uint32_t n = 0; n < count; ++n) {
             std::string broken = sound;
             RandomKey key{1, n, 0, Purpose::body};
@@ -228,7 +257,10 @@ TEST(Trajectories, BrokenFilesAreReadSoundlyOrRefused) {
                     static_cast<char>(static_cast<uint8_t>(random_unit(key, 2 * k + 1) * 256));
             }
             Result<Trajectories> read = read_trajectories(folder.write("broken" + name, broken));
-            if (!read) continue;
+            if (!read) {
+                EXPECT_TRUE(read.error().message.ends_with('.')) << read.error().message;
+                continue;
+            }
             EXPECT_GT(read->fps, 0);
             EXPECT_FALSE(read->sightings.empty());
             for (const Sighting& s : read->sightings) EXPECT_TRUE(std::isfinite(s.at.x + s.at.z + s.height));
@@ -291,7 +323,10 @@ TEST(Trajectories, CorpusIsRead) {
     };
     for (const Known& known : {Known{"040_c_56_h-.txt", 25, 75, 0, {2.1569f, -2.659f}},
                                Known{"bi_corr_400_b_03.txt", 25, 480, 0, {-5.5456f, -3.09452f}},
-                               Known{"jpsvis_stairs_trajectories.txt", 8, 7, 0, {1, -0.5f}},
+                               Known{"jpsvis_stairs_trajectories.txt", 8, 7, 6, {1, -0.5f}},
+                               Known{"pathfinder.csv", 1, 150, 0, {-9.618715f, 2.915757f}},
+                               Known{"sumo_grid4x4_300peds_fcd.xml.gz", 2, 300, 1, {92.3f, -103.52f}},
+                               Known{"vadere_postvis.traj", 8, 20, 1, {2.5464f, -6.9901f}},
                                Known{"trajectories.sqlite", 25, 30, 1, {-2.3353f, -8.2869f}},
                                Known{"00_01a.h5", 25, 46, 1, {-0.176f, -1.88047f}}}) {
         SCOPED_TRACE(known.name);
@@ -309,6 +344,40 @@ TEST(Trajectories, CorpusIsRead) {
         ASSERT_NE(first, read->sightings.end());
         EXPECT_NEAR(first->at.x, known.first.x, 1e-3);
         EXPECT_NEAR(first->at.z, known.first.z, 1e-3);
+    }
+}
+
+// Even-odd, of one polygon and its holes.
+bool is_inside(const WalkablePolygon& polygon, Vec2 p) {
+    bool inside = false;
+    auto count = [&](const std::vector<Vec2>& ring) {
+        for (size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+            if ((ring[i].z > p.z) != (ring[j].z > p.z) &&
+                p.x < ring[i].x + (ring[j].x - ring[i].x) * (p.z - ring[i].z) / (ring[j].z - ring[i].z))
+                inside = !inside;
+    };
+    count(polygon.outer);
+    for (const std::vector<Vec2>& hole : polygon.holes) count(hole);
+    return inside;
+}
+
+// What lies beside them is theirs: people are on it, and as high as it is.
+TEST(Trajectories, CorpusWalksOnItsGround) {
+    const fs::path corpus = fs::path(FLANEUR_SHARED_DIR) / "corpus" / "trajectories";
+    if (!fs::exists(corpus)) GTEST_SKIP() << "there is no " << corpus;
+    for (const char* name :
+         {"sumo_grid4x4_300peds_fcd.xml.gz", "vadere_postvis.traj", "jpsvis_stairs_trajectories.txt"}) {
+        SCOPED_TRACE(name);
+        Result<Trajectories> read = read_trajectories((corpus / name).string());
+        ASSERT_TRUE(read) << read.error().message;
+        size_t on_it = 0;
+        for (const Sighting& s : read->sightings)
+            on_it += std::any_of(read->area.begin(), read->area.end(), [&](const WalkablePolygon& polygon) {
+                const float height = polygon.level + dot(polygon.rise, s.at);
+                return is_inside(polygon, s.at) &&
+                       (read->heights == HeightsOf::nothing || std::fabs(height - s.height) < 0.02f);
+            });
+        EXPECT_GT(on_it * 100, read->sightings.size() * 99) << on_it << " of " << read->sightings.size();
     }
 }
 

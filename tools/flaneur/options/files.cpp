@@ -20,11 +20,13 @@ Examples:
 constexpr const char* k_inspect_footer =
     R"(Of a character: which node of the file each joint was taken from, size, facing, triangles, animations and what was
 repaired. Of a map: where on Earth it is, what of it render draws, ground and houses, what it has beside what was built
-of it, and what was skipped.
+of it, and what was skipped. Of everybody's ways (docs/trajectories.md says which are read): people, frames, extents, speed,
+heights, ground, and what was assumed.
 Refuses, in a sentence, what cannot be used.
 Examples:
   flaneur inspect me.glb
   flaneur inspect berlin.osm.pbf --json out/berlin.json
+  flaneur inspect bottleneck.txt
   flaneur inspect monaco.osm.pbf --terrain N43E007.hgt.zip
   flaneur inspect berlin.osm.pbf --center 52.5163,13.3777 --radius 800)";
 
@@ -98,9 +100,12 @@ void add_people(CLI::App& app, SceneWords& words, Options& options) {
 
 void add_inspect(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* command =
-        app.add_subcommand("inspect", "Say what is found in a character or a map")->footer(k_inspect_footer);
+        app.add_subcommand("inspect", "Say what is found in a character, a map or a file of people's ways")
+            ->footer(k_inspect_footer);
     command->callback([&] { options.command = Command::inspect; });
-    command->add_option("file", options.file, "A character (.glb, .gltf, .vrm) or a map (.osm, .osm.pbf)")
+    command
+        ->add_option("file", options.file,
+                     "A character (.glb, .gltf, .vrm), a map (.osm, .osm.pbf) or trajectories")
         ->type_name("FILE")
         ->required();
     command->add_option("--terrain", words.terrain, "Heights of the ground under a map, as render takes them")

@@ -15,7 +15,8 @@ who looks from the line's first end to its last, how fast, where), and FILE-Z1.c
 (people, density, density by Voronoi cells, mean speed). docs/viewer.md tells how it is counted.
 --trajectories FILE writes everybody's ways for programs that judge crowds, --fps times a second: x to the east, y to the
 north, z up, metres. FILE.sqlite is what JuPedSim writes, with the ground that is walked on; FILE.txt what PeTrack writes;
-FILE.csv has headed columns. docs/trajectories.md tells of them.
+FILE.csv has headed columns, FILE.xml is floating-car data of SUMO, FILE.json or FILE.geojson moving features of OGC in
+metres, FILE.traj steps of Vadere. docs/trajectories.md tells of them.
 Examples:
   flaneur sim --walkers 500 --seconds 60 --hash
   flaneur sim --seconds 10 --hash-log out/a.txt --threads 1     compare two runs with diff
@@ -112,8 +113,9 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("FILE.csv");
     CLI::Option* trajectories =
         sim->add_option("--trajectories", options.trajectories,
-                        "Write where everybody is, for other programs: .csv, .sqlite (JuPedSim) or .txt "
-                        "(PeTrack, which PedPy reads); see docs/trajectories.md")
+                        "Write where everybody is, for other programs: .csv, .sqlite (JuPedSim), .txt "
+                        "(PeTrack, which PedPy reads), .xml (SUMO), .json (moving features) or .traj "
+                        "(Vadere); see docs/trajectories.md")
             ->type_name("FILE");
     sim->add_option("--fps", options.fps, "Of --trajectories: frames a second")
         ->type_name("N")

@@ -28,8 +28,9 @@ void add_validate(CLI::App& app, Options& options) {
         ->type_name("TEST")
         ->take_all();
     command
-        ->add_option("--measured", validation.measured,
-                     "Trajectories of people: .txt, .sqlite, .h5 or .csv; may be given several times")
+        ->add_option(
+            "--measured", validation.measured,
+            "Trajectories of people, of any format that docs/trajectories.md has; may be given several times")
         ->type_name("FILE")
         ->allow_extra_args(false)
         ->take_all();

@@ -48,8 +48,9 @@ Result<PartFilePtr> open_tracks(const std::string& path) {
     if (path.empty()) return PartFilePtr();
     const std::optional<TrajectoryFormat> format = trajectory_format_of(path);
     if (!format)
-        return Error{"--trajectories " + path +
-                     " must end in .csv, .sqlite or .txt, which tells its format."};
+        return Error{
+            "--trajectories " + path +
+            " must end in .csv, .sqlite, .txt, .xml, .json, .geojson or .traj, which tells its format."};
     if (*format == TrajectoryFormat::sqlite && is_stream(path))
         return Error{
             "--trajectories " + path +

@@ -1,4 +1,4 @@
-#include "assets/trajectories/hdf5.h"
+#include "assets/trajectories/formats/hdf5.h"
 
 #include <algorithm>
 #include <cstring>
@@ -159,10 +159,11 @@ void read_attribute(HdfBytes& file, uint64_t at, HdfObject& object) {
     HdfAttribute attribute;
     attribute.name = file.text(begins[0], sizes[0]);
     const HdfType type = type_at(file, begins[1]);
-    if (is_number(type))
-        attribute.number = number_of(file.piece(begins[3], type.size),
-                                     type.kind == HdfClass::real && !file.fails, (type.bits & 8) != 0);
-    else if (type.kind == HdfClass::text)
+    if (is_number(type)) {
+        const std::string_view bytes = file.piece(begins[3], type.size);
+        if (file.fails) return;
+        attribute.number = number_of(bytes, type.kind == HdfClass::real, (type.bits & 8) != 0);
+    } else if (type.kind == HdfClass::text)
         attribute.text =
             file.piece(begins[3], type.size).substr(0, file.piece(begins[3], type.size).find('\0'));
     else if (type.kind == HdfClass::variable && (type.bits & 15) == 1)

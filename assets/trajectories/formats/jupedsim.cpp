@@ -88,15 +88,18 @@ Result<void> check_tables(sqlite3* database) {
 
 }  // namespace
 
-Result<Trajectories> read_jupedsim(const std::string& path) {
-    Result<DatabasePtr> database = open_database(path);
+Result<FoundTracks> read_jupedsim(const TrajectorySource& source) {
+    Result<DatabasePtr> database = open_database(source.path);
     if (!database) return database.error();
     if (Result<void> plain = check_tables(database->get()); !plain) return plain.error();
 
-    Trajectories t;
+    FoundTracks found;
+    found.format = "SQLite of JuPedSim";
+    found.is_in_frames = true;
+    found.unit = 1;
     Result<std::string> fps = first_of(database->get(), "SELECT value FROM metadata WHERE key = 'fps'");
     if (!fps) return fps.error();
-    if (!parse_number(std::string_view(*fps), t.fps))
+    if (!parse_number(std::string_view(*fps), found.fps) || !(found.fps > 0))
         return Error{"has no number of frames a second in its metadata"};
     // Where doors open and close there are several; the first is told.
     Result<std::string> wkt = first_of(database->get(), "SELECT wkt FROM geometry ORDER BY rowid LIMIT 1");
@@ -104,7 +107,7 @@ Result<Trajectories> read_jupedsim(const std::string& path) {
     if (!wkt->empty()) {
         Result<std::vector<WalkablePolygon>> area = parse_wkt(*wkt);
         if (!area) return area.error();
-        t.area = std::move(*area);
+        found.area = std::move(*area);
     }
     Result<StatementPtr> rows =
         prepared(database->get(), "SELECT frame, id, pos_x, pos_y, ori_x, ori_y FROM trajectory_data");
@@ -117,16 +120,18 @@ Result<Trajectories> read_jupedsim(const std::string& path) {
             if (type != SQLITE_INTEGER && (type != SQLITE_FLOAT || column < 2))
                 return Error{"has a position that is no number"};
         }
-        Result<void> added = add_sighting(t, sqlite3_column_int64(row, 0), sqlite3_column_int64(row, 1),
-                                          sqlite3_column_double(row, 2), sqlite3_column_double(row, 3));
-        if (!added) return Error{"has " + added.error().message};
         const double x = sqlite3_column_double(row, 4), y = sqlite3_column_double(row, 5);
-        if (std::fabs(x) <= 2 && std::fabs(y) <= 2)
-            t.sightings.back().facing =
-                normalize_or(Vec2{static_cast<float>(x), 0 - static_cast<float>(y)}, {0, 0});
+        const bool has_facing = std::fabs(x) <= 2 && std::fabs(y) <= 2;
+        const Vec2 facing{static_cast<float>(x), 0 - static_cast<float>(y)};
+        Result<void> added = add_row(found, {.time = static_cast<double>(sqlite3_column_int64(row, 0)),
+                                             .x = sqlite3_column_double(row, 2),
+                                             .y = sqlite3_column_double(row, 3),
+                                             .who = who_is(found, int64_t{sqlite3_column_int64(row, 1)}),
+                                             .facing = has_facing ? normalize_or(facing, {0, 0}) : Vec2{}});
+        if (!added) return Error{"has " + added.error().message};
     }
     if (step != SQLITE_DONE) return unread_database(database->get());
-    return t;
+    return found;
 }
 
 }  // namespace flaneur
