@@ -380,7 +380,7 @@ bool let_jump(World& w, WalkerId id) {
 }
 
 bool push(World& w, WalkerId id, Vec2 impulse) {
-    if (!is_alive(w, id) || w.roam || (w.stepping && w.stepping->bipeds.is_flat) ||
+    if (!is_alive(w, id) || w.roam || is_on(w.traced) || (w.stepping && w.stepping->bipeds.is_flat) ||
         is_creature(w.herd, id.index) || own_of(w.crowd.passages, id.index) ||
         w.crowd.identity.ahead[id.index] > 0 || stays_put(w.crowd, id.index))
         return false;

@@ -44,6 +44,12 @@ Manner manner_of(const World& world, uint32_t walker) {
     Manner manner = draw_manner(middle, {world.seed, walker, generation, Purpose::style});
     add_personality(manner, personality_of(world, walker));
     add_drink(manner, drunk_of(world, walker));
+    if (is_on(world.traced)) {
+        // Whether there are walls nobody knows, and where people stand close they keep their elbows in.
+        manner.touches = 0;
+        for (const Posture wide : {Posture::hip, Posture::hips})
+            manner.postures[static_cast<size_t>(wide)] = 0;
+    }
     return manner;
 }
 

@@ -89,6 +89,37 @@ const std::vector<SceneKey<SizeShares>>& group_keys() {
     return keys;
 }
 
+const std::vector<SceneKey<Scene>>& recorded_keys() {
+    using enum KeyKind;
+    using Reading = SceneReading;
+    static const std::vector<SceneKey<Scene>> keys = {
+        {"file",
+         {text},
+         nullptr,
+         R"("corridor.txt")",
+         "Where people were, frame by frame: see docs/trajectories.md. A relative path starts at the scene's "
+         "folder.",
+         [](Reading&, Scene& to, const Json& v) { to.trajectories = v; }},
+        {"fps",
+         {number, k_least_frame_rate, k_most_frame_rate},
+         nullptr,
+         "25",
+         "Frames a second; without it, as the file says.",
+         [](Reading&, Scene& to, const Json& v) { to.frame_rate = v; }},
+        {"enter",
+         {text, 0, 0, {}, names(k_entering_names)},
+         R"("fade")",
+         R"("step")",
+         "How one comes and leaves who is seen in the middle of the recording: fade, into sight where it is "
+         "first; or step, before that and after, straight on, so that it is there in full as long as it is "
+         "recorded.",
+         [](Reading& r, Scene& to, const Json& v) {
+             take_parsed(r, word_of<Entering>(k_entering_names, v), to.entering);
+         }},
+    };
+    return keys;
+}
+
 const std::vector<SceneKey<AddedItem>>& added_keys() {
     using enum KeyKind;
     using Reading = SceneReading;

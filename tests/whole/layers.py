@@ -41,7 +41,9 @@ sim/company: sim/base, sim/coming, sim/crowd, sim/deeds, sim/fall, sim/gait, sim
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
 sim/alongside: sim/base, sim/fall, sim/ground, sim/movers, sim/pose
-sim: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/lanes, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pastimes, sim/pose, sim/stepper, sim/surface, sim/vehicles
+sim/traced: sim/base
+sim: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/lanes, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pastimes, sim/pose, sim/stepper, sim/surface, sim/traced, sim/vehicles
+sim/traced sources: sim, sim/base, sim/traced
 sim/alongside sources: sim, sim/alongside, sim/base, sim/fall
 sim/fall sources: sim, sim/base, sim/fall, sim/pose
 
@@ -50,6 +52,7 @@ assets/terrain: assets/files, sim/base
 assets: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/lamps, sim/lanes, sim/limbs, sim/pastimes
 assets/plan: assets, sim/base, sim/lamps
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
+assets/traced: assets, assets/plan, assets/trajectories, sim/base, sim/crowd, sim/traced
 assets/recording: sim/base, sim/body, sim/pose
 assets/pastimes: assets, sim/base, sim/ground, sim/pastimes
 assets/props: assets, sim/base
@@ -110,7 +113,7 @@ tools/rendercheck: assets/files, tools/flaneur/options, tools/rendercheck/files,
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/tracks: assets/files, assets/trajectories, sim, sim/base, tools/flaneur/output
 tools/flaneur/validate: assets/trajectories, sim, sim/base, sim/ground, sim/navigation, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/plot
-tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/gltf/city, assets/pastimes, assets/stages, sim, sim/alongside, sim/base, sim/pastimes, tools/flaneur/console, tools/flaneur/options
+tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/gltf/city, assets/pastimes, assets/stages, assets/traced, sim, sim/alongside, sim/base, sim/pastimes, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/check: assets/files, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
