@@ -25,8 +25,12 @@ void add_fault(SceneReading& r, const std::string& what, bool of_key) {
     if (r.faults.size() == k_most_faults) return;
     JsonPlace place = place_in_json(r.text, r.path, of_key);
     std::string whose;
-    if (r.path.size() > 1)
-        whose = "in " + in_quotes(r.path[0]) + ", number " + std::to_string(std::stoul(r.path[1]) + 1) + ": ";
+    size_t number = 0;
+    if (r.path.size() > 1) {
+        const bool is_listed = parse_number(r.path[1], number);  // else a key of an object
+        whose =
+            "in " + in_quotes(r.path[0]) + (is_listed ? ", number " + std::to_string(number + 1) : "") + ": ";
+    }
     r.faults.push_back({place.line, place.column, whose + what});
 }
 

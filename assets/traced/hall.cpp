@@ -23,6 +23,7 @@ constexpr float k_stride = 0.3f;                        // metres, in which ways
 constexpr float k_plate_thick = 0.3f, k_table = 60;     // metres; what the plate lies on reaches so far
 constexpr float k_skirting = 0.02f;                     // metres that walls reach below the floor
 constexpr float k_cell = 0.5f, k_storey = 1.2f;         // metres, of ground that ways tell
+constexpr int k_rings = 2;                              // of such squares, beside them
 constexpr uint32_t k_floor = rgb(0xdcd8cf), k_plate = rgb(0xbdb8ae), k_table_top = rgb(0xb3b1ad),
                    k_wall = rgb(0xf3f0ea), k_wall_top = rgb(0x6f6a64);
 
@@ -173,15 +174,43 @@ Box bounds_of(const Trajectories& t) {
     return box;
 }
 
-// Squares of ground where people are and the area has none, at the heights at which they are.
+struct Level {
+    double sum = 0;
+    int count = 0;
+    float middle() const { return static_cast<float>(sum / count); }
+};
+// Of squares of the ground plane.
+using Cells = std::map<std::pair<int, int>, std::vector<Level>>;
+
+Level* level_near(std::vector<Level>& levels, float height) {
+    const auto at = std::ranges::find_if(
+        levels, [&](const Level& l) { return std::fabs(l.middle() - height) < k_storey; });
+    return at == levels.end() ? nullptr : &*at;
+}
+
+// By the squares beside those that are there, as high as these in the middle.
+void grow(Cells& cells) {
+    Cells beside;
+    for (const auto& [square, levels] : cells)
+        for (const Level& level : levels)
+            for (const auto& [dx, dz] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+                const std::pair at{square.first + dx, square.second + dz};
+                const auto there = cells.find(at);
+                if (there != cells.end() && level_near(there->second, level.middle())) continue;
+                std::vector<Level>& to = beside[at];
+                Level* known = level_near(to, level.middle());
+                if (!known) known = &to.emplace_back();
+                known->sum += static_cast<double>(level.middle()), ++known->count;
+            }
+    for (auto& [square, levels] : beside)
+        for (const Level& level : levels) cells[square].push_back({static_cast<double>(level.middle()), 1});
+}
+
+// Squares of ground where people are, and a metre beside them, where the area has none, at the heights at
+// which they are.
 void add_ground_of_ways(City& city, const Trajectories& t) {
     if (t.heights != HeightsOf::ground) return;
-    struct Level {
-        double sum = 0;
-        int count = 0;
-        float middle() const { return static_cast<float>(sum / count); }
-    };
-    std::map<std::pair<int, int>, std::vector<Level>> cells;
+    Cells cells;
     for (const Sighting& s : t.sightings) {
         const bool is_known = std::ranges::any_of(t.area, [&](const WalkablePolygon& p) {
             return std::fabs(height_on(p, s.at) - s.height) < 0.4f && is_within(p.outer, s.at);
@@ -189,11 +218,11 @@ void add_ground_of_ways(City& city, const Trajectories& t) {
         if (is_known) continue;
         auto& levels = cells[{static_cast<int>(std::floor(s.at.x / k_cell)),
                               static_cast<int>(std::floor(s.at.z / k_cell))}];
-        auto level = std::ranges::find_if(
-            levels, [&](const Level& l) { return std::fabs(l.middle() - s.height) < k_storey; });
-        if (level == levels.end()) level = levels.insert(level, Level{});
+        Level* level = level_near(levels, s.height);
+        if (!level) level = &levels.emplace_back();
         level->sum += static_cast<double>(s.height), ++level->count;
     }
+    for (int ring = 0; ring < k_rings; ++ring) grow(cells);
     // A corner lies between the cells about it that are on its level.
     auto corner_height = [&](int x, int z, float near) {
         float sum = 0;
