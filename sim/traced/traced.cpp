@@ -6,6 +6,7 @@
 #include "sim/base/math.h"
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
+#include "sim/crowd/places.h"
 #include "sim/world.h"
 
 namespace flaneur {
