@@ -213,6 +213,7 @@ static NavPoint find_place(const World& w, const WalkerOptions& options, uint32_
 }
 
 Result<WalkerId> add_walker(World& w, const WalkerOptions& o) {
+    if (is_on(w.traced)) return Error{"People here go where others were recorded: nobody else comes."};
     const CrowdSlots& slots = w.crowd.slots;
     if (slots.living.size() >= w.crowd.capacity)
         return Error{"The world is full with " + std::to_string(w.crowd.capacity) +

@@ -398,6 +398,7 @@ void make_room(World& w, uint32_t capacity) {
     w.trails.resize(w.poses.size());
     w.previous_trails.resize(w.poses.size());
     for (size_t block = before; block < w.poses.size(); ++block) w.previous_poses[block] = w.poses[block];
+    if (is_on(w.traced)) w.traced.way_of.resize(capacity);
     make_room_to_come(w);
     set_shares(*w.pastimes, PastimeShares(w.pastimes->shares), w.crowd);
     if (is_on(w.crowd.march)) go_by_curves(w, LimbLead::curves, w.crowd.march.how);

@@ -167,8 +167,11 @@ TEST(Traced, BodiesHaveTheHeightsThatAreKnownAndNoPrams) {
     EXPECT_LT(small, 25u);
 }
 
-TEST(Traced, NobodyIsPushed) {
+TEST(Traced, NobodyIsPushedOrComesBesideThem) {
     auto w = made(lanes_of(5));
+    EXPECT_FALSE(add_walker(*w));
+    make_room(*w, 40);
+    for (int tick = 0; tick < 30; ++tick) step(*w);
     EXPECT_FALSE(push(*w, walkers(*w)[0], {200, 0}));
 }
 
