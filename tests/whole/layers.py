@@ -43,7 +43,7 @@ sim/creature: sim/base, sim/linkages, sim/surface
 sim/alongside: sim/base, sim/fall, sim/ground, sim/movers, sim/pose
 sim/traced: sim/base
 sim: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/lanes, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pastimes, sim/pose, sim/stepper, sim/surface, sim/traced, sim/vehicles
-sim/traced sources: sim, sim/base, sim/traced
+sim/traced sources: sim, sim/base, sim/crowd, sim/traced
 sim/alongside sources: sim, sim/alongside, sim/base, sim/fall
 sim/fall sources: sim, sim/base, sim/fall, sim/pose
 
