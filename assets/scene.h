@@ -84,6 +84,14 @@ constexpr int usual_walkers(BuiltIn place) {
 // Of a scene whose platform nobody has laid out.
 inline const std::vector<Vec2> k_usual_platform{{-6.9f, -9}, {10.1f, -2.8f}, {6.9f, 9}, {-10.1f, 2.8f}};
 
+// How one comes and leaves who is seen in the middle of a recording: into sight where it is recorded first,
+// within half a second; or before that, and out of it after, going straight on, so that it is there in full
+// for as long as it is recorded.
+enum class Entering : uint8_t { fade, step };
+inline constexpr std::string_view k_entering_names[] = {"fade", "step"};
+
+inline constexpr double k_least_frame_rate = 0.01, k_most_frame_rate = 1000;
+
 struct Scene {
     std::string name = "district";
     std::string about;               // one line on it
@@ -131,6 +139,9 @@ struct Scene {
     std::optional<PassOn> side;  // on which people pass; else as one drives there
     bool stays = false;          // nobody who wanders leaves or comes in
     std::string demand;          // a file of people who are sent; see load_demand(); empty: none are
+    std::string trajectories;    // a file of where people were: they go there, and nobody else does; or none
+    float frame_rate = 0;        // of that, frames a second; 0: as it says
+    Entering entering = Entering::fade;  // of that
     CameraChoice camera;
     float fov = 0;        // of its lens, upright, radians; 0: what suits the camera
     Size size;            // of the picture or the window
@@ -145,7 +156,11 @@ struct SceneFault {
     std::string what;  // a sentence without its full stop
 };
 
-inline bool is_of(const Scene& scene, BuiltIn built) { return scene.city.empty() && scene.built == built; }
+// Whether its people go where others were, and the place is made of that.
+inline bool is_recorded(const Scene& scene) { return !scene.trajectories.empty(); }
+inline bool is_of(const Scene& scene, BuiltIn built) {
+    return scene.city.empty() && !is_recorded(scene) && scene.built == built;
+}
 // All round which people walk, so that up is not one way.
 inline bool is_small_world(const Scene& scene) {
     return is_of(scene, BuiltIn::asteroid) || is_of(scene, BuiltIn::planets);
@@ -161,6 +176,10 @@ Result<Scene> load_scene(const std::string& name_or_path);
 
 // The same of the text of a scene file; its paths are left as they are. `name` is what errors call it.
 Result<Scene> parse_scene(std::string_view text, const std::string& name);
+
+// The scene of people who go where they were recorded, in the place where that was, from above: of a file
+// that read_trajectories() reads.
+Scene scene_of_trajectories(const std::string& path);
 
 // The text of a scene file of which parse_scene() makes the same scene but for its name and for parts of a
 // minute of its hour. Paths are left as they are.

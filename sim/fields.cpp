@@ -244,6 +244,11 @@ uint64_t hash_world(const World& world) {
     if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);
     const std::vector<Doer>& doers = world.deeds.doers;
     if (!doers.empty()) hash = hash_bytes(hash, doers.data(), doers.size() * sizeof doers[0]);
+    if (is_on(world.traced)) {
+        const Traced& t = world.traced;
+        hash = mix(hash ^ t.next);
+        hash = hash_bytes(hash, t.way_of.data(), t.way_of.size() * sizeof t.way_of[0]);
+    }
     if (world.stepping) hash = mix(hash ^ hash_bipeds(*world.stepping));
     const std::vector<Placement>& movers = world.movers.places;
     if (!movers.empty()) hash = hash_bytes(hash, movers.data(), movers.size() * sizeof movers[0]);

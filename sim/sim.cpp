@@ -213,6 +213,7 @@ static NavPoint find_place(const World& w, const WalkerOptions& options, uint32_
 }
 
 Result<WalkerId> add_walker(World& w, const WalkerOptions& o) {
+    if (is_on(w.traced)) return Error{"People here go where others were recorded: nobody else comes."};
     const CrowdSlots& slots = w.crowd.slots;
     if (slots.living.size() >= w.crowd.capacity)
         return Error{"The world is full with " + std::to_string(w.crowd.capacity) +
@@ -380,7 +381,7 @@ bool let_jump(World& w, WalkerId id) {
 }
 
 bool push(World& w, WalkerId id, Vec2 impulse) {
-    if (!is_alive(w, id) || w.roam || (w.stepping && w.stepping->bipeds.is_flat) ||
+    if (!is_alive(w, id) || w.roam || is_on(w.traced) || (w.stepping && w.stepping->bipeds.is_flat) ||
         is_creature(w.herd, id.index) || own_of(w.crowd.passages, id.index) ||
         w.crowd.identity.ahead[id.index] > 0 || stays_put(w.crowd, id.index))
         return false;

@@ -38,8 +38,9 @@ struct Head {
     LimbCurves how{};
     uint32_t marches = 0;
     FigureLead lead{};
+    uint32_t next_trace = 0, pad = 0;
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 232, "has no gap at the end");
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 240, "has no gap at the end");
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -63,6 +64,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     if (minds_lamps(c.kerbs)) some(c.kerbs.waits, c.kerbs.manners);
     if (is_on(w.company)) some(c.fellows), all(w.company.bearings);
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
+    all(w.traced.way_of);
     all(w.figures.moves, w.figures.gait.blocks, w.figures.whole);
     all(w.deeds.doers, w.deeds.parcels, w.deeds.leaves, w.deeds.gait.blocks, w.deeds.whole, w.deeds.poses);
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets, w.linkages.methods,
@@ -132,6 +134,7 @@ Head head_of(const World& w) {
     head.marches = size(c.march.pace);
     head.lead = w.figures.lead;
     head.traffic = c.traffic.done;
+    head.next_trace = w.traced.next;
     head.living = size(c.slots.living);
     head.left = size(c.slots.left);
     head.ways = size(c.wayfarers);
@@ -190,6 +193,7 @@ uint64_t state_mark(const World& w) {
           ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
           w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(), w.crowd.kerbs.waits.size(),
           w.company.bearings.size(), w.pastimes->places.seats.size(), w.vehicles.all.size(),
+          is_on(w.traced) ? w.traced.traces->knots.size() : 0,
           w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
           w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
                        w.roam->compound.capsules.size() + 1
@@ -256,6 +260,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     w.company.vacant = head->vacant_groups;
     c.march.how = head->how;
     w.figures.lead = head->lead;
+    w.traced.next = head->next_trace;
     c.count = head->count;
     Coming& coming = w.coming;
     coming.successors.next = head->next_successor;

@@ -44,6 +44,12 @@ Manner manner_of(const World& world, uint32_t walker) {
     Manner manner = draw_manner(middle, {world.seed, walker, generation, Purpose::style});
     add_personality(manner, personality_of(world, walker));
     add_drink(manner, drunk_of(world, walker));
+    if (is_on(world.traced)) {
+        // Whether there are walls nobody knows, and where people stand close they keep their elbows in.
+        manner.touches = 0;
+        for (const Posture wide : {Posture::hip, Posture::hips})
+            manner.postures[static_cast<size_t>(wide)] = 0;
+    }
     return manner;
 }
 
@@ -392,6 +398,7 @@ void make_room(World& w, uint32_t capacity) {
     w.trails.resize(w.poses.size());
     w.previous_trails.resize(w.poses.size());
     for (size_t block = before; block < w.poses.size(); ++block) w.previous_poses[block] = w.poses[block];
+    if (is_on(w.traced)) w.traced.way_of.resize(capacity);
     make_room_to_come(w);
     set_shares(*w.pastimes, PastimeShares(w.pastimes->shares), w.crowd);
     if (is_on(w.crowd.march)) go_by_curves(w, LimbLead::curves, w.crowd.march.how);

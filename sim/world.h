@@ -34,6 +34,7 @@
 #include "sim/pose/trail.h"
 #include "sim/roam.h"
 #include "sim/sim.h"
+#include "sim/traced/traced.h"
 #include "sim/vehicles/vehicles.h"
 
 namespace flaneur {
@@ -67,6 +68,7 @@ struct World {
 
     void (*drive)(World& world) = nullptr;  // moves everybody by a tick; see step.cpp
     Coming coming;
+    Traced traced;  // people who go where others were, and nobody else; mostly none
     Crowd crowd;
     Company company;             // who goes with whom; mostly of nobody
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null

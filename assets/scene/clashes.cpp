@@ -53,7 +53,37 @@ OrderedJson on_course(const char* key, const OrderedJson& rules) {
     return both({"built", key}, properties);
 }
 
+// What is of people who go by themselves, or of another place.
+constexpr const char* k_not_recorded[] = {"city",   "built",  "creatures", "habit", "drunks",  "steppers",
+                                          "pushes", "groups", "demand",    "lamps", "traffic", "dogs"};
+template <size_t K>
+constexpr SceneClash beside_recorded() {
+    return {
+        k_not_recorded[K], R"("trajectories" say where people go and what the place is like; leave this out)",
+        [](const Scene& s, const Json& json) { return is_recorded(s) && json.contains(k_not_recorded[K]); },
+        [](const char* key) {
+            return both({key, "trajectories"}, OrderedJson::object());
+        }};
+}
+
 constexpr SceneClash k_clashes[] = {
+    beside_recorded<0>(),
+    beside_recorded<1>(),
+    beside_recorded<2>(),
+    beside_recorded<3>(),
+    beside_recorded<4>(),
+    beside_recorded<5>(),
+    beside_recorded<6>(),
+    beside_recorded<7>(),
+    beside_recorded<8>(),
+    beside_recorded<9>(),
+    beside_recorded<10>(),
+    beside_recorded<11>(),
+    {"walkers", R"("trajectories" say who walks, and "walkers" how many others: nobody)",
+     [](const Scene& s, const Json&) { return is_recorded(s) && s.walkers > 0; },
+     [](const char* key) {
+         return both({key, "trajectories"}, {{key, {{"minimum", 1}}}});
+     }},
     {"built", R"("built" is a place of its own, and "city" another; people walk in one)",
      [](const Scene& s, const Json&) { return s.built != BuiltIn::district && !s.city.empty(); },
      [](const char* key) {

@@ -25,8 +25,12 @@ void add_fault(SceneReading& r, const std::string& what, bool of_key) {
     if (r.faults.size() == k_most_faults) return;
     JsonPlace place = place_in_json(r.text, r.path, of_key);
     std::string whose;
-    if (r.path.size() > 1)
-        whose = "in " + in_quotes(r.path[0]) + ", number " + std::to_string(std::stoul(r.path[1]) + 1) + ": ";
+    size_t number = 0;
+    if (r.path.size() > 1) {
+        const bool is_listed = parse_number(r.path[1], number);  // else a key of an object
+        whose =
+            "in " + in_quotes(r.path[0]) + (is_listed ? ", number " + std::to_string(number + 1) : "") + ": ";
+    }
     r.faults.push_back({place.line, place.column, whose + what});
 }
 
@@ -86,6 +90,37 @@ const std::vector<SceneKey<SizeShares>>& group_keys() {
         group_key<1>("1", "0.45", "How many are alone."), group_key<2>("2", "0.38", "How many are in pairs."),
         group_key<3>("3", "0.11", "How many are in threes."),
         group_key<4>("4", "0.06", "How many are in fours.")};
+    return keys;
+}
+
+const std::vector<SceneKey<Scene>>& recorded_keys() {
+    using enum KeyKind;
+    using Reading = SceneReading;
+    static const std::vector<SceneKey<Scene>> keys = {
+        {"file",
+         {text},
+         nullptr,
+         R"("corridor.txt")",
+         "Where people were, frame by frame: see docs/trajectories.md. A relative path starts at the scene's "
+         "folder.",
+         [](Reading&, Scene& to, const Json& v) { to.trajectories = v; }},
+        {"fps",
+         {number, k_least_frame_rate, k_most_frame_rate},
+         nullptr,
+         "25",
+         "Frames a second; without it, as the file says.",
+         [](Reading&, Scene& to, const Json& v) { to.frame_rate = v; }},
+        {"enter",
+         {text, 0, 0, {}, names(k_entering_names)},
+         R"("fade")",
+         R"("step")",
+         "How one comes and leaves who is seen in the middle of the recording: fade, into sight where it is "
+         "first; or step, before that and after, straight on, so that it is there in full as long as it is "
+         "recorded.",
+         [](Reading& r, Scene& to, const Json& v) {
+             take_parsed(r, word_of<Entering>(k_entering_names, v), to.entering);
+         }},
+    };
     return keys;
 }
 

@@ -23,6 +23,7 @@ constexpr size_t k_most_depth = 8, k_most_values = 10'000;
 void read_people(SceneReading& r, Scene& scene, const Json& list);
 void read_added(SceneReading& r, Scene& scene, const Json& list);
 void read_groups(SceneReading& r, Scene& scene, const Json& shares);
+void read_recorded(SceneReading& r, Scene& scene, const Json& what);
 
 template <auto list, auto parse>
 void read_texts(SceneReading& r, Scene& scene, const Json& texts) {
@@ -275,6 +276,16 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "demand", {text}, nullptr, R"("demand.json")",
             "A file of people who come in somewhere at a time, go where they are sent and leave there: a "
             ".json or SUMO's .rou.xml; see docs/demand.md. A relative path starts at the scene's folder."),
+        {"trajectories",
+         {recorded},
+         nullptr,
+         R"("corridor.txt")",
+         "A file of where people were, frame by frame: people go there, nobody else does, and the place is "
+         "made "
+         "of it. Or that as \"file\" with \"fps\" and \"enter\"; see docs/trajectories.md. A relative path "
+         "starts "
+         "at the scene's folder.",
+         read_recorded},
         {"camera",
          {text, 0, 0,
           "street|overview|crowd|(follow|eyes):0*[0-9]{1,6}|map|map:" + coordinate_pattern() + "," +
@@ -357,6 +368,9 @@ std::string refusal(const KeyRule& rule, const Json& value) {
             return value.is_array() ? "" : R"(a list such as [{"what": "bench", "at": "12.5,0,-3"}])";
         case KeyKind::groups:
             return value.is_object() ? "" : R"(shares such as {"1": 0.45, "2": 0.55})";
+        case KeyKind::recorded:
+            return is_text(value) || value.is_object() ? ""
+                                                       : R"(a file, or such as {"file": "a.txt", "fps": 25})";
     }
     return "";
 }
@@ -429,6 +443,15 @@ void read_added(SceneReading& r, Scene& scene, const Json& list) {
 }
 
 // Sizes that are not named are of nobody; where none is, everybody is alone.
+void read_recorded(SceneReading& r, Scene& scene, const Json& what) {
+    if (what.is_string()) {
+        scene.trajectories = what;
+    } else {
+        read_keys(r, recorded_keys(), R"("trajectories")", what, scene);
+        if (!what.contains("file")) add_fault(r, R"("trajectories" must have "file")");
+    }
+}
+
 void read_groups(SceneReading& r, Scene& scene, const Json& shares) {
     scene.groups = {};
     read_keys(r, group_keys(), "it", shares, scene.groups);
@@ -466,9 +489,9 @@ std::vector<SceneFault> read_scene(std::string_view text, Scene& scene) {
         return r.faults;
     }
     read_keys(r, scene_keys(), "a scene", json, scene);
-    if (scene.built != BuiltIn::district && !json.contains("camera"))
+    if ((scene.built != BuiltIn::district || is_recorded(scene)) && !json.contains("camera"))
         scene.camera.kind = CameraChoice::Kind::overview;
-    if (!json.contains("walkers")) scene.walkers = usual_walkers(scene.built);
+    if (!json.contains("walkers")) scene.walkers = is_recorded(scene) ? 0 : usual_walkers(scene.built);
     for (const SceneClash& clash : scene_clashes()) {
         if (!r.faults.empty() || !clash.is_there(scene, json)) continue;
         r.path = {clash.key};

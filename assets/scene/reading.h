@@ -28,7 +28,7 @@ std::string in_quotes(std::string text);
 // Something is wrong where it is.
 void add_fault(SceneReading& r, const std::string& what, bool of_key = false);
 
-enum class KeyKind { flag, whole, number, text, texts, people, added, groups };
+enum class KeyKind { flag, whole, number, text, texts, people, added, groups, recorded };
 
 // What may stand at a key.
 struct KeyRule {
@@ -106,6 +106,8 @@ const std::vector<SceneKey<Scene>>& scene_keys();
 const std::vector<SceneKey<PeopleItem>>& people_keys();
 const std::vector<SceneKey<AddedItem>>& added_keys();
 const std::vector<SceneKey<SizeShares>>& group_keys();
+// And of "trajectories".
+const std::vector<SceneKey<Scene>>& recorded_keys();
 // A bound of a number, whole ones without a point.
 nlohmann::ordered_json schema_bound(double value);
 // What is wrong with one as a whole; empty: nothing.

@@ -56,6 +56,7 @@ Result<Scene> load_scene(const std::string& name_or_path) {
     if (!scene->terrain.empty()) beside(scene->terrain);
     if (!scene->rock.empty() && scene->rock != k_torus) beside(scene->rock);
     if (!scene->demand.empty()) beside(scene->demand);
+    if (is_recorded(*scene)) beside(scene->trajectories);
     for (PeopleShare& people : scene->people) {
         if (!people.character.empty()) beside(people.character);
     }
@@ -80,6 +81,15 @@ Result<std::vector<SceneFault>> check_scene(const std::string& name_or_path) {
                               std::to_string(scene.walkers)});
     }
     return faults;
+}
+
+Scene scene_of_trajectories(const std::string& path) {
+    Scene scene;
+    scene.name = std::filesystem::path(path).stem().string();
+    scene.trajectories = path;
+    scene.walkers = 0;
+    scene.camera.kind = CameraChoice::Kind::overview;
+    return scene;
 }
 
 std::vector<std::string> scene_names() {

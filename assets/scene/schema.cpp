@@ -77,6 +77,12 @@ OrderedJson key_schema(const SceneKey<Of>& key) {
         case KeyKind::groups:
             one = object_schema(group_keys());
             break;
+        case KeyKind::recorded: {
+            OrderedJson object = object_schema(recorded_keys());
+            object["required"] = {"file"};
+            one["oneOf"] = OrderedJson::array({text, object});
+            break;
+        }
     }
     one["description"] = key.meaning;
     if (key.usual) one["default"] = OrderedJson::parse(key.usual);

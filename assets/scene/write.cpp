@@ -115,6 +115,14 @@ std::string scene_text(const Scene& s) {
     if (s.side) json["side"] = *s.side == PassOn::right ? "right" : "left";
     tell("coming", false, s.stays);
     tell("demand", s.demand, !s.demand.empty());
+    if (s.frame_rate == 0 && s.entering == Entering::fade) {
+        tell("trajectories", s.trajectories, is_recorded(s));
+    } else {
+        Json& to = json["trajectories"];
+        to["file"] = s.trajectories;
+        if (s.frame_rate > 0) to["fps"] = short_number(s.frame_rate);
+        if (s.entering != Entering::fade) to["enter"] = k_entering_names[static_cast<int>(s.entering)];
+    }
     json["camera"] = told_camera(s.camera);
     tell("fov", Json::parse(told_fov(s.fov)), s.fov > 0);
     tell("size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height), s.size != usual.size);

@@ -26,6 +26,35 @@ TEST(Scenes, BuiltInOnesAreSortedAndSound) {
     }
 }
 
+TEST_F(SceneFile, PeopleMayGoWhereOthersWereRecorded) {
+    Result<Scene> scene = load(R"({ "trajectories": "lab/corridor.txt" })");
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_TRUE(is_recorded(*scene));
+    EXPECT_EQ(scene->walkers, 0);
+    EXPECT_EQ(scene->camera.kind, CameraChoice::Kind::overview);
+    EXPECT_TRUE(scene->trajectories.ends_with("lab/corridor.txt"));
+    EXPECT_NE(scene->trajectories, "lab/corridor.txt");
+    EXPECT_FALSE(is_of(*scene, BuiltIn::district));
+    scene = load(R"({ "trajectories": {"file": "/a.h5", "fps": 12.5, "enter": "step"} })");
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_EQ(scene->trajectories, "/a.h5");
+    EXPECT_FLOAT_EQ(scene->frame_rate, 12.5f);
+    EXPECT_EQ(scene->entering, Entering::step);
+    const Result<Scene> again = parse_scene(scene_text(*scene), scene->name);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(*again, *scene);
+    const Scene made = scene_of_trajectories("x/corridor.sqlite");
+    EXPECT_EQ(made.name, "corridor");
+    const Result<Scene> told = parse_scene(scene_text(made), made.name);
+    ASSERT_TRUE(told) << told.error().message;
+    EXPECT_EQ(*told, made);
+    for (const char* wrong :
+         {R"({ "trajectories": {"fps": 25} })", R"({ "trajectories": {"file": "a.txt", "enter": "leap"} })",
+          R"({ "trajectories": "a.txt", "walkers": 5 })", R"({ "trajectories": "a.txt", "city": "b.osm" })",
+          R"({ "trajectories": "a.txt", "demand": "b.json" })", R"({ "trajectories": 3 })"})
+        EXPECT_FALSE(load(wrong)) << wrong;
+}
+
 TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
     Result<Scene> scene =
         load(R"({ "walkers": 12, "time": "08:15", "seed": 18446744073709551615, "camera": "overview",

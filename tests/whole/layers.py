@@ -41,7 +41,9 @@ sim/company: sim/base, sim/coming, sim/crowd, sim/deeds, sim/fall, sim/gait, sim
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
 sim/alongside: sim/base, sim/fall, sim/ground, sim/movers, sim/pose
-sim: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/lanes, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pastimes, sim/pose, sim/stepper, sim/surface, sim/vehicles
+sim/traced: sim/base
+sim: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/coming, sim/company, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/lamps, sim/lanes, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pastimes, sim/pose, sim/stepper, sim/surface, sim/traced, sim/vehicles
+sim/traced sources: sim, sim/base, sim/crowd, sim/traced
 sim/alongside sources: sim, sim/alongside, sim/base, sim/fall
 sim/fall sources: sim, sim/base, sim/fall, sim/pose
 
@@ -53,6 +55,7 @@ assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/measures: assets/trajectories, sim/base, sim/ground
 assets/trajectories/formats: assets/files, assets/trajectories, sim/base
 assets/trajectories/ground: assets/files, assets/plan, assets/trajectories, assets/trajectories/formats, sim/base
+assets/traced: assets, assets/plan, assets/trajectories, sim/base, sim/crowd, sim/traced
 assets/recording: sim/base, sim/body, sim/pose
 assets/pastimes: assets, sim/base, sim/ground, sim/pastimes
 assets/props: assets, sim/base
@@ -114,7 +117,7 @@ tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flane
 tools/flaneur/tracks: assets/files, assets/trajectories, sim, sim/base, tools/flaneur/output
 tools/flaneur/validate: assets/measures, assets/trajectories, sim, sim/base, sim/ground, sim/navigation, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/plot
 tools/flaneur/measures: assets/measures, assets/trajectories, sim/base, tools/flaneur/options, tools/flaneur/plot
-tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/gltf/city, assets/pastimes, assets/stages, sim, sim/alongside, sim/base, sim/pastimes, tools/flaneur/console, tools/flaneur/options
+tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/gltf/city, assets/pastimes, assets/stages, assets/traced, sim, sim/alongside, sim/base, sim/pastimes, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/recording: assets, assets/files, assets/recording, sim, sim/alongside, sim/base, sim/crowd, sim/pastimes, sim/pose, tools/flaneur/console, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
 tools/flaneur/check: assets/files, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output

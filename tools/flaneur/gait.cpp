@@ -125,14 +125,17 @@ Result<Report> try_crowd(const Options& options, Recording& motion) {
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     World& world = *loaded->world;
-    std::vector<WalkerWatch> watches(world.crowd.count);
+    // Where people come and go by ways that are known, each way is watched by itself.
+    const Traced& traced = world.traced;
+    std::vector<WalkerWatch> watches(is_on(traced) ? traced.traces->ways.size() : world.crowd.count);
     auto ticks = static_cast<uint32_t>(std::lround(options.gait.seconds / static_cast<double>(k_tick)));
     while (world.tick < ticks) {
         if (is_stopping()) return interrupted();
         step(world);
         if (!options.gait.motion.empty()) add_tick(motion, world, static_cast<size_t>(options.gait.walker));
-        parallel_for(*world.workers, watches.size(), 16, [&](size_t begin, size_t end, int) {
-            for (size_t i = begin; i < end; ++i) watch_walker(watches[i], world, i);
+        parallel_for(*world.workers, world.crowd.count, 16, [&](size_t begin, size_t end, int) {
+            for (size_t i = begin; i < end; ++i)
+                watch_walker(watches[is_on(traced) ? traced.way_of[i] : i], world, i);
         });
         if (world.tick % 60 == 0) {
             show_progress("watching, " + std::to_string(world.tick / 60) + " s of " +

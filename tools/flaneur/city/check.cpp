@@ -313,6 +313,10 @@ Result<void> check_city(const Options& options) {
         return Error{"--check is for cities: the built-in " +
                      std::string(k_built_in_names[static_cast<int>(options.scene.built)]) +
                      " has neither houses nor streets to check."};
+    if (is_recorded(options.scene))
+        return Error{"--check is for crowds that find their ways, and those in " +
+                     options.scene.trajectories +
+                     " go as they were recorded; flaneur gait --crowd 1 --check looks at their bodies."};
     if (options.scene.walkers == 0) return Error{"--check watches walkers: --walkers 0 leaves it nobody."};
     Result<PartFilePtr> file = open_if_asked(options.json);
     if (!file) return file.error();

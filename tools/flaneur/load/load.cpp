@@ -27,6 +27,8 @@
 #include "assets/stages/planets.h"
 #include "assets/stages/platform.h"
 #include "assets/stages/yard.h"
+#include "assets/traced/hall.h"
+#include "assets/traced/ways.h"
 #include "sim/alongside/alongside.h"
 #include "sim/base/zone.h"
 #include "sim/pastimes/pastimes.h"
@@ -206,6 +208,15 @@ static Result<SmallWorld> make_small_world(const Scene& scene) {
     return make_rock(*solid, scene.seed, scene.walkers);
 }
 
+// Of a scene that is_recorded().
+static Result<Trajectories> read_recorded(const Scene& scene) {
+    show_progress("reading " + scene.trajectories);
+    Result<Trajectories> read = read_trajectories(scene.trajectories);
+    if (read && scene.frame_rate > 0) read->fps = scene.frame_rate;
+    if (read) print_notes(scene.trajectories, read->assumed);
+    return read;
+}
+
 Result<City> read_city(const Scene& scene) {
     Result<City> city = read_bare_city(scene);
     if (!city) return city;
@@ -222,6 +233,10 @@ Result<City> read_bare_city(const Scene& scene) {
         grows_with_walkers(scene) && blocks > scene.blocks && blocks >= k_many_blocks)
         say(scene.name + ": grows to " + std::to_string(blocks) + " times " + std::to_string(blocks) +
             " blocks for " + std::to_string(scene.walkers) + " walkers, which may take minutes to make.");
+    if (is_recorded(scene)) {
+        const Result<Trajectories> recorded = read_recorded(scene);
+        return recorded ? Result<City>(build_hall(*recorded, scene.name)) : recorded.error();
+    }
     if (is_small_world(scene)) {
         Result<SmallWorld> world = make_small_world(scene);
         if (!world) return world.error();
@@ -262,7 +277,7 @@ Result<std::vector<Character>> make_people(const std::vector<PersonOptions>& opt
 }
 
 std::vector<std::string> files_of(const Scene& scene) {
-    std::vector<std::string> paths{scene.city, scene.terrain, scene.demand};
+    std::vector<std::string> paths{scene.city, scene.terrain, scene.demand, scene.trajectories};
     if (scene.rock != k_torus) paths.push_back(scene.rock);
     for (const PeopleShare& some : scene.people) paths.push_back(some.character);
     for (const std::string& idle : scene.idles)
@@ -291,7 +306,7 @@ static PassOn side_of(const Scene& scene, const City& city) {
 // Who leaves and who is sent, and room for those sent.
 static Result<void> settle_coming(const Scene& scene, Loaded& loaded, WorldOptions& world) {
     constexpr uint32_t k_most_at_once = 20'000;
-    if (!scene.stays && !is_small_world(scene) && !is_of(scene, BuiltIn::course))
+    if (!scene.stays && !is_recorded(scene) && !is_small_world(scene) && !is_of(scene, BuiltIn::course))
         world.leaving = k_usual_leaving;
     world.capacity = world.walkers;
     if (scene.demand.empty()) return {};
@@ -334,7 +349,7 @@ static void spare_course(std::vector<Kind>& kinds) {
 Result<Loaded> load(const Options& options) {
     FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
-    if (usual_walkers(scene.built) != usual_walkers(BuiltIn::district) &&
+    if (!is_recorded(scene) && usual_walkers(scene.built) != usual_walkers(BuiltIn::district) &&
         scene.walkers == usual_walkers(scene.built))
         say(std::to_string(scene.walkers) +
             " walkers, as many as surely find room here; --walkers says how many.");
@@ -345,7 +360,15 @@ Result<Loaded> load(const Options& options) {
         if (!made) return made.error();
         round = std::move(*made);
     }
-    Result<City> bare = round ? Result<City>(std::move(round->stage)) : read_bare_city(scene);
+    std::optional<Trajectories> recorded;
+    if (is_recorded(scene)) {
+        Result<Trajectories> read = read_recorded(scene);
+        if (!read) return read.error();
+        recorded = std::move(*read);
+    }
+    Result<City> bare = recorded ? Result<City>(build_hall(*recorded, scene.name))
+                        : round  ? Result<City>(std::move(round->stage))
+                                 : read_bare_city(scene);
     if (!bare) return bare.error();
     if (!scene.lamps) take_lamps(bare->crossings);
     loaded.city = loaded.bare = std::make_shared<const City>(std::move(*bare));
@@ -390,6 +413,14 @@ Result<Loaded> load(const Options& options) {
     world.pastime_places = pastime_places(*loaded.city);
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
     if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
+    std::shared_ptr<const Traces> traces;
+    if (recorded) {
+        show_progress("making ways of " + scene.trajectories);
+        RecordedWays ways = make_ways(*recorded, scene.entering, scene.seed);
+        print_notes(scene.trajectories, told(ways.figures));
+        traces = std::make_shared<const Traces>(std::move(ways.traces));
+        world.capacity = traces->most;
+    }
     auto progress = [](std::string_view what, float done) {
         show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
         return !is_stopping();
@@ -410,6 +441,7 @@ Result<Loaded> load(const Options& options) {
                                     static_cast<uint32_t>(scene.creatures), std::move(round->gravity));
         if (!set) return set.error();
     }
+    if (traces) follow_traces(*loaded.world, std::move(traces));
     if (is_of(scene, BuiltIn::course)) {
         if (Result<void> set = set_on_course(*loaded.world, make_course(scene.flat)); !set)
             return set.error();
@@ -488,6 +520,8 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     if (!world.herd.creatures.empty()) order.creatures = static_cast<uint32_t>(world.herd.creatures.size());
     order.linkages = world.linkages.all;
     order.figures = world.figures.plans;
+    order.traces = world.traced.traces;
+    if (order.traces) options.capacity = order.traces->most, options.walkers = 0;
     order.movers = world.movers.all;
     order.doers = world.deeds.plans;
     order.things = world.deeds.things;
@@ -507,6 +541,7 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
         Result<void> set = set_down(**made, *order.compound, order.creatures, order.gravity);
         if (!set) return set.error();
     }
+    if (made && order.traces) follow_traces(**made, order.traces);
     if (made && order.course) {
         if (Result<void> set = set_on_course(**made, *order.course); !set) return set.error();
     }

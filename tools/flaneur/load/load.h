@@ -35,6 +35,7 @@ struct PeopleOrder {
     uint32_t creatures = 0;         // on it or among people
     std::vector<Linkage> linkages;  // without it,
     std::vector<FigurePlan> figures;
+    std::shared_ptr<const Traces> traces;  // that they follow, or null
     std::vector<Mover> movers;
     std::vector<DoerPlan> doers;
     Things things;

@@ -167,7 +167,7 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
     const bool is_of_walker = camera.kind == follow || camera.kind == eyes;
     const int musicians = static_cast<int>(options.scene.along.musicians);
     const int those = options.scene.walkers + options.scene.creatures + musicians;
-    if (is_of_walker && camera.walker >= static_cast<uint32_t>(those)) {
+    if (is_of_walker && !is_recorded(options.scene) && camera.walker >= static_cast<uint32_t>(those)) {
         return Error{
             who + told_camera(camera) + (camera.kind == eyes ? " is of" : " follows") +
             " nobody: walkers are numbered from 0, and there are " + std::to_string(options.scene.walkers) +
@@ -188,6 +188,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (words.city) {
         if (is_small_world(options.scene)) options.scene.creatures = 0;
         options.scene.city = *words.city;
+        options.scene.trajectories.clear();
         if (options.scene.walkers == usual_walkers(options.scene.built))
             options.scene.walkers = usual_walkers(BuiltIn::district);
         options.scene.built = BuiltIn::district;
@@ -228,6 +229,9 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!words.people.empty()) options.scene.people = words.people;
     if (!words.idles.empty()) options.scene.idles = words.idles;
     options.inputs = {words.scene, options.file, options.camera_path, words.replay};
+    if (is_recorded(options.scene) && (words.walkers || words.demand))
+        return Error{std::string(words.walkers ? "--walkers" : "--demand") +
+                     ": nobody walks here but those in " + options.scene.trajectories + "."};
     if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
     if (words.hour) {
@@ -270,7 +274,8 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
         if (!steady && !gait.svg.empty())
             return Error{"--svg draws the curves of steady walking: on level ground, a slope or stairs."};
     }
-    if (options.command == Command::gait) options.scene.walkers = std::max(options.gait.crowd, 1);
+    if (options.command == Command::gait && !is_recorded(options.scene))
+        options.scene.walkers = std::max(options.gait.crowd, 1);
     // Who walks alone is nobody of the scene's.
     if (options.command == Command::gait && options.gait.crowd == 0) options.scene.pushes.clear();
     if (const auto nobody = pushed_nobody(options.scene))

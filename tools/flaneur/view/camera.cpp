@@ -40,11 +40,30 @@ Vec3 heading_vector(float yaw) {
     return {d.x, 0, d.z};
 }
 
+// Round the edge of all ground: who looks at what was recorded is none of those in it.
+std::vector<Vec3> places_at_the_edge(const Ground& ground) {
+    constexpr int k_sides = 32;
+    constexpr float k_in = 0.5f, k_over = 500;  // metres
+    const Vec2 middle = (ground.low + ground.high) * 0.5f, half = (ground.high - ground.low) * 0.5f;
+    std::vector<Vec3> places;
+    for (int side = 0; side < k_sides; ++side) {
+        const Vec2 way = heading_direction(static_cast<float>(side) * (2 * k_pi / k_sides));
+        const float reach =
+            std::min(half.x / std::max(std::fabs(way.x), 1e-3f), half.z / std::max(std::fabs(way.z), 1e-3f));
+        const Vec2 at = middle + way * std::max(reach - k_in, 0.0f);
+        if (const auto hit = ground_at(ground, at_height(at, k_over), 0, 2 * k_over))
+            places.push_back(at_height(at, hit->height));
+    }
+    return places;
+}
+
 // Where walkers stand who have most others around, as places to look from; the city's middle if there is
 // nobody.
 std::vector<Vec3> places_to_stand(const World& world) {
     const Ground& ground = *world.ground;
     Vec2 middle = (ground.low + ground.high) * 0.5f;
+    if (is_on(world.traced))
+        if (std::vector<Vec3> edge = places_at_the_edge(ground); !edge.empty()) return edge;
     constexpr size_t k_sample = 1000;
     constexpr float k_company = 25;
     size_t stride = world.crowd.count / k_sample + 1;

@@ -31,6 +31,12 @@ bool is_front(const Sight& s) { return length_squared(s.out) > 0; }
 std::vector<Sight> people_of(const World& world) {
     constexpr float k_chest = 1.3f;
     std::vector<Sight> people;
+    if (is_on(world.traced)) {  // wherever anybody ever is
+        const std::vector<TraceKnot>& knots = world.traced.traces->knots;
+        for (size_t k = 0; k < knots.size(); k += knots.size() / k_most_sights + 1)
+            people.push_back({knots[k].at + Vec3{0, k_chest, 0}, {}});
+        return people;
+    }
     for (WalkerId id : world.crowd.slots.living) {
         Sight& person = people.emplace_back();
         if (world.roam) {
@@ -163,8 +169,10 @@ float most_of_one_house(const World& world, std::span<const Building> buildings,
 
 // From which side most of the subject shows.
 Vec3 best_eye(const World& world, const Subject& subject, Vec3 to_sun) {
-    constexpr float k_nearer = 0.72f;       // than what has the whole sphere in the picture: its rim is thin
-    constexpr float k_clear = 3;            // metres, that the eye keeps from the ground below
+    constexpr float k_nearer = 0.72f;  // than what has the whole sphere in the picture: its rim is thin
+    constexpr float k_clear = 3;       // metres, that the eye keeps from the ground below
+    constexpr float k_over_walls =
+        0.45f;  // radians below the horizon, where walls are cut low to be seen over
     constexpr float k_for_horizon = 0.15f;  // worth of a flatter view, each step
     float distance = k_nearer * subject.radius / std::sin(k_fov / 2);
     float best = -1;
@@ -173,6 +181,7 @@ Vec3 best_eye(const World& world, const Subject& subject, Vec3 to_sun) {
         for (int side = 0; side < k_sides; ++side) {
             Vec2 from = heading_direction(static_cast<float>(side) * (2 * k_pi / k_sides));
             float dip = k_dips[d];
+            if (is_on(world.traced) && dip < k_over_walls) continue;
             Vec3 candidate = subject.centre + at_height(from * std::cos(dip), std::sin(dip)) * distance;
             auto below = ground_at(*world.ground, candidate, k_sky, k_sky);
             if (below && !world.roam) candidate.y = std::max(candidate.y, below->height + k_clear);
