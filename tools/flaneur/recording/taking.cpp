@@ -185,6 +185,12 @@ void note_change(Taking& t, const World& w) {
     add_state(t, k_change_chunk, w);
 }
 
+void note_led(Taking& t) {
+    if (t.as == RecordedAs::inputs)
+        end(t, {t.path + " ends at tick " + std::to_string(t.last) +
+                ": inputs cannot tell how somebody is led by hand. Record it as motion."});
+}
+
 Result<void> finish_taking(TakingPtr taking) {
     if (!taking) return {};
     Taking& t = *taking;

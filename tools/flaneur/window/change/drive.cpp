@@ -193,6 +193,7 @@ void push_asked(Show& show, Viewer& v, float impulse) {
     if (!push(world, {*who, world.crowd.slots.generation[*who]}, way * impulse))
         return tell(v, why_not_pushed(world, *who));
     v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
+    changed_by_hand(v.time, world);
 }
 
 void throw_asked(Show& show, Viewer& v, float mass) {
@@ -212,6 +213,7 @@ void throw_asked(Show& show, Viewer& v, float mass) {
     how.speed = std::max(k_least, k_spare * std::sqrt(k_gravity * length(how.at - eye)));
     throw_ball(world, thrown(how));
     v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
+    changed_by_hand(v.time, world);
 }
 
 bool jump_driven(Show& show) {

@@ -8,6 +8,7 @@
 #include "sim/base/tick.h"
 #include "sim/state.h"
 #include "tools/flaneur/load/load.h"
+#include "tools/flaneur/recording/check.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/viewer.h"
@@ -118,9 +119,11 @@ void play_at(Show& show, Viewer& v, uint32_t tick) {
 
 // What was changed since the last tick of all is recorded before the next one.
 void record_change(const Show& show, const Timeline& time) {
+    if (!show.taking) return;
+    if (time.is_led) note_led(*show.taking);
     const World& world = *show.loaded.world;
     const bool is_changed = !time.changes.empty() && time.changes.back() == world.tick;
-    if (show.taking && is_changed && time.latest == world.tick) note_change(*show.taking, world);
+    if (is_changed && time.latest == world.tick) note_change(*show.taking, world);
 }
 
 }  // namespace
