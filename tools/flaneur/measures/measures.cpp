@@ -99,7 +99,7 @@ void measure_lines(MeasuredFile& measured) {
     const uint32_t last = std::min(measured.range.last, measured.table.frames.back());
     for (const CountLine& line : options.lines) {
         MeasuredLineFlow flow{.line = line};
-        if (line.name.empty()) flow.line.name = "L" + std::to_string(measured.lines.size() + 1);
+        if (line.name.empty()) flow.line.name.append("L").append(std::to_string(measured.lines.size() + 1));
         const MeasuredLine where{line.a, line.b};
         flow.crossings = line_crossings(measured.table, where, measured.range);
         flow.first = first_crossings(flow.crossings);
