@@ -11,6 +11,7 @@
 
 #include "assets/additions.h"
 #include "assets/look.h"
+#include "assets/trajectory_reading.h"
 #include "sim/alongside/shares.h"
 #include "sim/ball/planned_throw.h"
 #include "sim/base/result.h"
@@ -91,6 +92,7 @@ enum class Entering : uint8_t { fade, step };
 inline constexpr std::string_view k_entering_names[] = {"fade", "step"};
 
 inline constexpr double k_least_frame_rate = 0.01, k_most_frame_rate = 1000;
+inline constexpr double k_least_unit = 1e-6, k_most_unit = 1e4;  // metres
 
 struct Scene {
     std::string name = "district";
@@ -140,7 +142,7 @@ struct Scene {
     bool stays = false;          // nobody who wanders leaves or comes in
     std::string demand;          // a file of people who are sent; see load_demand(); empty: none are
     std::string trajectories;    // a file of where people were: they go there, and nobody else does; or none
-    float frame_rate = 0;        // of that, frames a second; 0: as it says
+    TrajectoryReading reading;   // of that: what it does not say rightly itself
     Entering entering = Entering::fade;  // of that
     CameraChoice camera;
     float fov = 0;        // of its lens, upright, radians; 0: what suits the camera
@@ -180,6 +182,8 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name);
 // The scene of people who go where they were recorded, in the place where that was, from above: of a file
 // that read_trajectories() reads.
 Scene scene_of_trajectories(const std::string& path);
+// "120,-40": TrajectoryReading::origin.
+Result<Vec2> parse_origin(const std::string& text);
 
 // The text of a scene file of which parse_scene() makes the same scene but for its name and for parts of a
 // minute of its hour. Paths are left as they are.

@@ -1,8 +1,10 @@
 #include "assets/recording/head.h"
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "assets/recording/container.h"
+#include "assets/recording/container_form.h"
 
 namespace flaneur {
 
@@ -41,6 +43,12 @@ Result<RecordingHead> parse_recording_head(const std::string& path, std::string_
                      "be shown by itself."};
     }
     return head;
+}
+
+bool is_recording(const std::string& path) {
+    std::string begin(k_recording_magic.size(), 0);
+    std::ifstream file(path, std::ios::binary);
+    return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == k_recording_magic;
 }
 
 Result<RecordingHead> read_recording_head(const std::string& path) {

@@ -109,7 +109,37 @@ const std::vector<SceneKey<Scene>>& recorded_keys() {
          nullptr,
          "25",
          "Frames a second; without it, as the file says.",
-         [](Reading&, Scene& to, const Json& v) { to.frame_rate = v; }},
+         [](Reading&, Scene& to, const Json& v) { to.reading.fps = v; }},
+        {"unit",
+         {number, k_least_unit, k_most_unit},
+         nullptr,
+         "0.01",
+         "Metres that 1 is in the file: 0.01 where it has centimetres; without it, as the file says.",
+         [](Reading&, Scene& to, const Json& v) { to.reading.unit = v; }},
+        {"up",
+         {text, 0, 0, {}, {"y", "z"}},
+         nullptr,
+         R"("y")",
+         "The axis of the file that points upwards; without it, by evidence.",
+         [](Reading&, Scene& to, const Json& v) { to.reading.up = v.get<std::string>()[0]; }},
+        {"origin",
+         {text, 0, 0, coordinate_pattern() + "," + coordinate_pattern()},
+         nullptr,
+         R"("120,-40")",
+         "The place of the file, EAST,NORTH in its own unit, that is to be the middle.",
+         [](Reading& r, Scene& to, const Json& v) {
+             if (const Result<Vec2> origin = parse_origin(v))
+                 to.reading.origin = *origin;
+             else
+                 add_fault(r, origin.error().message);
+         }},
+        {"geometry",
+         {text},
+         nullptr,
+         R"("corridor.wkt")",
+         "A file of where people can be; without it, one that lies beside the file and fits. A relative path "
+         "starts at the scene's folder.",
+         [](Reading&, Scene& to, const Json& v) { to.reading.geometry = v; }},
         {"enter",
          {text, 0, 0, {}, names(k_entering_names)},
          R"("fade")",

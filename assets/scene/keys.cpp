@@ -282,9 +282,9 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          R"("corridor.txt")",
          "A file of where people were, frame by frame: people go there, nobody else does, and the place is "
          "made "
-         "of it. Or that as \"file\" with \"fps\" and \"enter\"; see docs/trajectories.md. A relative path "
-         "starts "
-         "at the scene's folder.",
+         "of it. Or that as \"file\" with what the file does not say rightly itself; see "
+         "docs/trajectories.md. A "
+         "relative path starts at the scene's folder.",
          read_recorded},
         {"camera",
          {text, 0, 0,

@@ -57,6 +57,7 @@ Result<Scene> load_scene(const std::string& name_or_path) {
     if (!scene->rock.empty() && scene->rock != k_torus) beside(scene->rock);
     if (!scene->demand.empty()) beside(scene->demand);
     if (is_recorded(*scene)) beside(scene->trajectories);
+    if (!scene->reading.geometry.empty()) beside(scene->reading.geometry);
     for (PeopleShare& people : scene->people) {
         if (!people.character.empty()) beside(people.character);
     }
@@ -90,6 +91,16 @@ Scene scene_of_trajectories(const std::string& path) {
     scene.walkers = 0;
     scene.camera.kind = CameraChoice::Kind::overview;
     return scene;
+}
+
+Result<Vec2> parse_origin(const std::string& text) {
+    constexpr float k_most = 1e8f;
+    const std::vector<std::string_view> parts = split(text, ',');
+    Vec2 origin;
+    if (parts.size() == 2 && parse_number(parts[0], origin.x) && parse_number(parts[1], origin.z) &&
+        std::fabs(origin.x) <= k_most && std::fabs(origin.z) <= k_most)
+        return origin;
+    return Error{excerpt(text) + " is no place EAST,NORTH, such as 120,-40"};
 }
 
 std::vector<std::string> scene_names() {

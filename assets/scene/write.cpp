@@ -115,12 +115,17 @@ std::string scene_text(const Scene& s) {
     if (s.side) json["side"] = *s.side == PassOn::right ? "right" : "left";
     tell("coming", false, s.stays);
     tell("demand", s.demand, !s.demand.empty());
-    if (s.frame_rate == 0 && s.entering == Entering::fade) {
+    if (s.reading == TrajectoryReading{} && s.entering == Entering::fade) {
         tell("trajectories", s.trajectories, is_recorded(s));
     } else {
         Json& to = json["trajectories"];
         to["file"] = s.trajectories;
-        if (s.frame_rate > 0) to["fps"] = short_number(s.frame_rate);
+        if (s.reading.fps > 0) to["fps"] = short_number(s.reading.fps);
+        if (s.reading.unit > 0) to["unit"] = short_number(s.reading.unit);
+        if (s.reading.up != 0) to["up"] = std::string(1, s.reading.up);
+        if (s.reading.origin)
+            to["origin"] = plainly(s.reading.origin->x) + "," + plainly(s.reading.origin->z);
+        if (!s.reading.geometry.empty()) to["geometry"] = s.reading.geometry;
         if (s.entering != Entering::fade) to["enter"] = k_entering_names[static_cast<int>(s.entering)];
     }
     json["camera"] = told_camera(s.camera);

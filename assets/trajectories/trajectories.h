@@ -5,10 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "assets/trajectory_reading.h"
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
 
@@ -56,15 +56,6 @@ struct Trajectories {
 };
 
 inline constexpr size_t k_most_sightings = 20'000'000;
-
-// What is known of a file better than it says itself; what is left as it is goes by evidence.
-struct TrajectoryReading {
-    float unit = 0;                // metres: what 1 is in the file; 0: by evidence
-    float fps = 0;                 // frames a second; 0: by evidence
-    char up = 0;                   // 'z' or 'y', the axis that points upwards in the file; 0: by evidence
-    std::optional<Vec2> origin{};  // a place of the file, in its own unit (east, north), that is to be (0, 0)
-    std::string geometry{};        // a file of where people can be; empty: one that lies beside it and fits
-};
 
 // By what is in a file, whatever it is called, packed by gzip or not; docs/trajectories.md has the table of
 // formats, and how unit, rate, axes and the kind of heights are found where none is told: a sentence each in

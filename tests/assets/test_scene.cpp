@@ -38,7 +38,7 @@ TEST_F(SceneFile, PeopleMayGoWhereOthersWereRecorded) {
     scene = load(R"({ "trajectories": {"file": "/a.h5", "fps": 12.5, "enter": "step"} })");
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->trajectories, "/a.h5");
-    EXPECT_FLOAT_EQ(scene->frame_rate, 12.5f);
+    EXPECT_FLOAT_EQ(scene->reading.fps, 12.5f);
     EXPECT_EQ(scene->entering, Entering::step);
     const Result<Scene> again = parse_scene(scene_text(*scene), scene->name);
     ASSERT_TRUE(again) << again.error().message;

@@ -50,6 +50,8 @@ for line in open(manual, encoding="utf-8"):
         kind = keys
     elif line.startswith("| column |"):
         kind = columns
+    elif line.startswith("| file |"):
+        kind = {}
     elif row := re.match(r"\| `([^`]+)` \|([^|]*)\|", line):
         kind.setdefault(section, []).append(row[1])
         units[section, row[1]] = row[2].strip()

@@ -1,7 +1,7 @@
 #!/bin/bash
 # readme.sh FLANEUR README: every command of flaneur that README shows, on lines of its own or in the text, runs as it is
-# written and writes what it says; a few streets and people of our own stand in for map.osm, me.glb and robot.glb. What is
-# viewed is viewed for five frames, on a display of its own.
+# written and writes what it says; a few streets, people and ways of our own stand in for map.osm, me.glb, robot.glb and
+# bottleneck.txt. What is viewed is viewed for five frames, on a display of its own.
 set -euo pipefail
 readme=$2
 folder=$(mktemp -d)
@@ -23,6 +23,7 @@ END
 flaneur people --count 2 --out . > /dev/null
 mv person_01.glb me.glb
 mv person_02.glb robot.glb
+awk 'BEGIN { for (f = 0; f < 26; ++f) for (i = 1; i <= 3; ++i) printf "%d %d %.3f %.3f\n", i, f, 0.05 * f, i }' > bottleneck.txt
 
 commands=0
 while read -r line; do

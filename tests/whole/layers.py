@@ -51,7 +51,7 @@ assets/files: sim/base
 assets/terrain: assets/files, sim/base
 assets: sim/alongside, sim/animation, sim/ball, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/lamps, sim/lanes, sim/limbs, sim/pastimes
 assets/plan: assets, sim/base, sim/lamps
-assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
+assets/trajectories: assets, assets/files, assets/plan, sim/base, sim/ground
 assets/measures: assets/trajectories, sim/base, sim/ground
 assets/trajectories/formats: assets/files, assets/trajectories, sim/base
 assets/trajectories/ground: assets/files, assets/plan, assets/trajectories, assets/trajectories/formats, sim/base

@@ -196,7 +196,7 @@ Result<Json> inspect(const Options& options) {
         return facts_of(*city, "map");
     }
     if (kind_of(path) == FileKind::other) {
-        Result<Trajectories> tracks = read_trajectories(path);
+        Result<Trajectories> tracks = read_trajectories(path, options.reading);
         if (tracks) return facts_of(*tracks);
         // What looks like rows is none of the things below.
         if (!has_ending(path, ".json")) return tracks.error();

@@ -50,7 +50,7 @@ Result<void> check_place(const std::string& path) {
 
 Result<void> run_measure(const Options& options) {
     if (Result<void> good = check_place(options.out); !good) return good;
-    Result<Trajectories> tracks = read_trajectories(options.file);
+    Result<Trajectories> tracks = read_trajectories(options.file, options.reading);
     if (!tracks) return tracks.error();
     const std::string name = printable(std::filesystem::path(options.file).filename().string());
     show_progress("measuring " + name);

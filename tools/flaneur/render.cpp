@@ -187,13 +187,19 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
     return finished;
 }
 
-// All of a recording, where no ticks were asked for; of one picture the last.
+// All of a recording, where no ticks were asked for; of one picture the last, of trajectories the middle.
 Result<TickRange> recorded_ticks(const Options& options) {
-    if (options.replay.empty() || options.has_ticks) return options.ticks;
+    if (options.has_ticks) return options.ticks;
+    const bool is_one = has_ending(options.out, ".png") && picture_path(options.out, 0) == options.out;
+    if (is_recorded(options.scene)) {
+        const Result<uint32_t> last = last_recorded_tick(options.scene);
+        if (!last) return last.error();
+        return is_one ? TickRange{*last / 2, *last / 2, 1} : TickRange{0, *last, 2};
+    }
+    if (options.replay.empty()) return options.ticks;
     const Result<PlayingPtr> playing = open_playing(options.replay, 1);
     if (!playing) return playing.error();
     const uint32_t first = (*playing)->first, last = (*playing)->last;
-    const bool is_one = has_ending(options.out, ".png") && picture_path(options.out, 0) == options.out;
     return is_one ? TickRange{last, last, 1} : TickRange{first, last, 2};
 }
 

@@ -93,7 +93,10 @@ bool has_display() {
 Result<void> show_recording(Options options) {
     if (options.out.empty() && !options.has_ticks && has_display()) {
         options.command = Command::view;
-        options.words = {"--replay", options.replay};
+        const bool is_tracks = options.replay.empty();
+        options.words = {"--replay", is_tracks ? options.scene.trajectories : options.replay};
+        if (is_tracks)
+            for (std::string& word : told_reading(options.scene.reading)) options.words.push_back(word);
         return run_view(options);
     }
     options.command = Command::render;
@@ -109,6 +112,9 @@ Result<void> show_recording(Options options) {
 }  // namespace
 
 Result<void> run_replay(const Options& options) {
+    if (options.checks_replay && options.replay.empty())
+        return Error{"--check is for recordings; flaneur inspect " + options.scene.trajectories +
+                     " says what is in it."};
     if (options.checks_replay) return check_recording(options);
 #ifdef FLANEUR_VULKAN
     return show_recording(options);

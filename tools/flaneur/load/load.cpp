@@ -211,10 +211,18 @@ static Result<SmallWorld> make_small_world(const Scene& scene) {
 // Of a scene that is_recorded().
 static Result<Trajectories> read_recorded(const Scene& scene) {
     show_progress("reading " + scene.trajectories);
-    Result<Trajectories> read = read_trajectories(scene.trajectories);
-    if (read && scene.frame_rate > 0) read->fps = scene.frame_rate;
+    Result<Trajectories> read = read_trajectories(scene.trajectories, scene.reading);
     if (read) print_notes(scene.trajectories, read->assumed);
     return read;
+}
+
+Result<uint32_t> last_recorded_tick(const Scene& scene) {
+    const Result<Trajectories> read = read_trajectories(scene.trajectories, scene.reading);
+    if (!read) return read.error();
+    const std::vector<Sighting>& all = read->sightings;
+    const uint32_t frames = all.back().frame - all.front().frame;
+    if (frames == 0) return static_cast<uint32_t>(k_picture * 60);
+    return static_cast<uint32_t>(std::min(std::round(frames / wide(read->fps) * 60), 1.0 * k_last_tick));
 }
 
 Result<City> read_city(const Scene& scene) {

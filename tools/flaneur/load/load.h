@@ -46,6 +46,9 @@ struct PeopleOrder {
     std::vector<std::vector<Vec2>> steppers_ways;  // that some of them step along
     uint32_t steppers = 0;
 };
+// Of a scene that is_recorded(): the tick of its last frame, from that of its first one. Reads all of it.
+Result<uint32_t> last_recorded_tick(const Scene& scene);
+
 // So many people in the same city, set down and led by that seed, as of the hour at which it began.
 PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers);
 // On any thread. `progress` as make_world() calls it; where it answers false, the people are given up with an

@@ -29,11 +29,14 @@ void add_drawing_options(CLI::App& app, SceneWords& words, Options& options);
 // --view
 void add_work_views(CLI::App& app, SceneWords& words);
 
+// --unit and the others of trajectories
+void add_reading_options(CLI::App& app, TrajectoryReading& reading);
+
 // --record and what belongs to it; --replay, after all options of the scene
 void add_record_options(CLI::App& app, Options& options);
 void add_replay_option(CLI::App& app, SceneWords& words);
-// The scene that a recording is of. Refuses, in a sentence, what is none.
-Result<Scene> replayed_scene(const std::string& path, Options& options);
+// The scene that a recording is of, or that trajectories make. Refuses, in a sentence, what is neither.
+Result<Scene> replayed_scene(const SceneWords& words, Options& options);
 
 // --trace
 void add_trace_option(CLI::App& app, Options& options);

@@ -112,6 +112,7 @@ void add_inspect(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("FILE");
     add_map_options(*command, words);
     add_force(*command, options);
+    add_reading_options(*command, options.reading);
     command->add_option("--json", options.json, "Write it to a file too")->type_name("FILE");
 }
 

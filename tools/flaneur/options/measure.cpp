@@ -239,6 +239,7 @@ void add_measure(CLI::App& app, Options& options) {
         ->capture_default_str();
     command->add_option("--out", options.out, "Write a .csv, a .json, an .svg, or all of them into a folder")
         ->type_name("FILE");
+    add_reading_options(*command, options.reading);
 }
 
 }  // namespace flaneur

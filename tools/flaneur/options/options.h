@@ -197,7 +197,8 @@ struct Options {
     RecordOptions record;
     std::string replay;  // view, render, check, replay: the recording that is shown; empty: a scene is
     bool checks_replay = false;
-    float within = 0;  // diff: metres that do not count
+    float within = 0;           // diff: metres that do not count
+    TrajectoryReading reading;  // inspect, measure
 
     bool captures = false;  // view, render: RenderDoc is loaded
 
@@ -269,6 +270,8 @@ struct Options {
 Result<PeopleShare> parse_people(const std::string& text);
 // Without what bodies are drawn usually where limbs are led so.
 Techniques usual_techniques(LimbLead limbs);
+// What --unit and the others of trajectories say, as words.
+std::vector<std::string> told_reading(const TrajectoryReading& reading);
 // "feet,walls": all techniques but these; "none": all. And back, of those that are off; "": as is usual.
 Result<Techniques> parse_without(const std::string& text);
 std::string told_without(Techniques techniques, LimbLead limbs);

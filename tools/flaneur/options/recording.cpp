@@ -3,6 +3,7 @@
 #include "assets/files/file.h"
 #include "assets/files/words.h"
 #include "assets/recording/head.h"
+#include "assets/scene.h"
 #include "tools/flaneur/options/commands.h"
 #include "tools/flaneur/options/refusal.h"
 
@@ -10,8 +11,9 @@ namespace flaneur {
 namespace {
 
 constexpr const char* k_replay_footer =
-    R"(Shows what --record of sim, render, view or bench tick has written: in a window where there is a display, else as a film in
-out/; --out writes it as render does. Motion is shown without simulating, by any version; inputs are simulated again, which
+    R"(Shows what --record of sim, render, view or bench tick has written, or people with bodies who go where a file of
+trajectories has them (PeTrack, JuPedSim, SUMO, Vadere and more: by what is in it): in a window where there is a
+display, else as a film in out/; --out writes it as render does. Motion is shown without simulating, by any version; inputs are simulated again, which
 only the version that recorded them does. The camera, the quality and the views may be others than those of the run.
 Examples:
   flaneur sim --scene life --seconds 60 --record out/life.flr        a minute, without drawing
@@ -19,8 +21,10 @@ Examples:
   flaneur replay out/life.flr --seconds 20:30 --out out/life.mp4     ten seconds of it as a film
   flaneur replay out/life.flr --frames 1234 --out out/life.png       one moment
   flaneur replay out/life.flr --camera street --quality high --out out/street.mp4
+  flaneur replay bottleneck.txt --out out/bottleneck.mp4             people where others were tracked
+  flaneur replay tracks.csv --unit cm --fps 16 --camera street       what the file does not say itself
   flaneur replay out/life.flr --check                                whether all of it can be read, and is as it was
-docs/recording.md tells of recordings.)";
+docs/recording.md tells of recordings, docs/trajectories.md of trajectories.)";
 
 constexpr const char* k_diff_footer =
     R"(Names the first tick, walker and joint, or thing, in which two recordings differ by more than --within, by how much, and how
@@ -44,6 +48,34 @@ Result<float> parse_millimetres(const std::string& text) {
     return mm / 1000;
 }
 
+Result<float> parse_unit(const std::string& text) {
+    static constexpr std::pair<std::string_view, float> k_units[] = {
+        {"m", 1.0f}, {"dm", 0.1f}, {"cm", 0.01f}, {"mm", 0.001f}, {"ft", 0.3048f}, {"in", 0.0254f}};
+    for (const auto& [name, metres] : k_units)
+        if (text == name) return metres;
+    double metres = 0;
+    if (parse_number(text, metres) && metres >= k_least_unit && metres <= k_most_unit)
+        return static_cast<float>(metres);
+    return Error{excerpt(text) + " is none of m, dm, cm, mm, ft and in, nor how many metres it is"};
+}
+
+Result<char> parse_up(const std::string& text) {
+    if (text == "y" || text == "z") return text[0];
+    return Error{excerpt(text) + " is neither y nor z"};
+}
+
+Result<std::optional<Vec2>> parse_asked_origin(const std::string& text) {
+    const Result<Vec2> origin = parse_origin(text);
+    if (!origin) return origin.error();
+    return std::optional<Vec2>(*origin);
+}
+
+Result<Entering> parse_entering(const std::string& text) {
+    for (size_t k = 0; k < std::size(k_entering_names); ++k)
+        if (text == k_entering_names[k]) return static_cast<Entering>(k);
+    return Error{excerpt(text) + " is neither fade nor step"};
+}
+
 // "20:30", seconds.
 Result<TickRange> parse_seconds(const std::string& text) {
     const size_t colon = text.find(':');
@@ -56,6 +88,42 @@ Result<TickRange> parse_seconds(const std::string& text) {
 }
 
 }  // namespace
+
+void add_reading_options(CLI::App& app, TrajectoryReading& reading) {
+    const char* group = "Trajectories";
+    add_parsed(app, "--unit", parse_unit, reading.unit,
+               "What 1 is in a file of trajectories: m, dm, cm, mm, ft, in, or metres", "UNIT",
+               "as it says, or by evidence")
+        ->group(group);
+    app.add_option("--fps", reading.fps, "Its frames a second; without it, as it says, or by evidence")
+        ->type_name("N")
+        ->transform(number_between(k_least_frame_rate, k_most_frame_rate))
+        ->group(group);
+    add_parsed(app, "--up", parse_up, reading.up, "Its axis that points upwards, y or z", "AXIS",
+               "by evidence")
+        ->group(group);
+    add_parsed(app, "--origin", parse_asked_origin, reading.origin,
+               "The place of it, in its own unit, that is to be the middle", "EAST,NORTH",
+               "as it is, or the middle of what lies far off")
+        ->group(group);
+    app.add_option("--geometry", reading.geometry,
+                   "A file of where people can be; without it, one that lies beside it and fits")
+        ->type_name("FILE")
+        ->group(group);
+}
+
+std::vector<std::string> told_reading(const TrajectoryReading& reading) {
+    std::vector<std::string> words;
+    auto tell = [&](const char* option, std::string word) {
+        words.insert(words.end(), {option, std::move(word)});
+    };
+    if (reading.unit > 0) tell("--unit", plainly(reading.unit));
+    if (reading.fps > 0) tell("--fps", plainly(reading.fps));
+    if (reading.up != 0) tell("--up", std::string(1, reading.up));
+    if (reading.origin) tell("--origin", plainly(reading.origin->x) + "," + plainly(reading.origin->z));
+    if (!reading.geometry.empty()) tell("--geometry", reading.geometry);
+    return words;
+}
 
 void add_record_options(CLI::App& app, Options& options) {
     CLI::Option* record =
@@ -78,17 +146,32 @@ void add_record_options(CLI::App& app, Options& options) {
 
 void add_replay_option(CLI::App& app, SceneWords& words) {
     CLI::Option* replay =
-        app.add_option("--replay", words.replay, "A recording, in place of a scene that is simulated")
+        app.add_option("--replay", words.replay,
+                       "A recording, or a file of trajectories, in place of a scene that is simulated")
             ->type_name("FILE");
     // What is recorded has its own.
     for (CLI::Option* option : app.get_options())
         if (option->get_group() == "Scene" && option->get_name() != "--threads") replay->excludes(option);
+    add_reading_options(app, words.reading);
+    for (const char* name : {"--unit", "--fps", "--up", "--origin", "--geometry"})
+        app.get_option(name)->needs(replay);
     if (CLI::Option* lod = app.get_option_no_throw("--lod")) replay->excludes(lod);
     if (CLI::Option* without = app.get_option_no_throw("--without")) replay->excludes(without);
 }
 
-// What is told apart by a file's content would be so here: a recording is all that there is.
-Result<Scene> replayed_scene(const std::string& path, Options& options) {
+// By what is in the file: what is no recording may be trajectories.
+Result<Scene> replayed_scene(const SceneWords& words, Options& options) {
+    const std::string& path = words.replay;
+    if (Result<void> found = find_file(path); !found) return found.error();
+    if (!is_recording(path) && !has_ending(path, ".flr")) {
+        Scene scene = scene_of_trajectories(path);
+        scene.reading = words.reading;
+        scene.entering = words.entering;
+        return scene;
+    }
+    if (!(words.reading == TrajectoryReading{}))
+        return Error{"--unit, --fps, --up, --origin and --geometry are for trajectories, and " + path +
+                     " is a recording, which knows them."};
     Result<RecordingHead> head = read_recording_head(path);
     if (!head) return head.error();
     Result<Scene> scene = parse_scene(head->scene, head->scene_name);
@@ -99,12 +182,15 @@ Result<Scene> replayed_scene(const std::string& path, Options& options) {
 }
 
 void add_replay(CLI::App& app, SceneWords& words, Options& options) {
-    CLI::App* replay = app.add_subcommand("replay", "Show a recording")->footer(k_replay_footer);
+    CLI::App* replay = app.add_subcommand("replay", "Show a recording, or trajectories with bodies")
+                           ->footer(k_replay_footer);
     replay->callback([&, replay] {
         options.command = Command::replay;
         options.has_ticks = replay->count("--frames") + replay->count("--seconds") > 0;
     });
-    replay->add_option("file", words.replay, "A recording")->type_name("FILE")->required();
+    replay->add_option("file", words.replay, "A recording, or a file of trajectories")
+        ->type_name("FILE")
+        ->required();
     CLI::Option* check = replay->add_flag(
         "--check", options.checks_replay,
         "Read all of it, against its sums; and simulate inputs again, against a hash of each second");
@@ -125,6 +211,13 @@ void add_replay(CLI::App& app, SceneWords& words, Options& options) {
     add_drawing_options(*replay, words, options);
     add_camera_option(*replay, words);
     add_work_views(*replay, words);
+    add_reading_options(*replay, words.reading);
+    add_parsed(
+        *replay, "--enter", parse_entering, words.entering,
+        "How one comes and leaves in the middle of trajectories: fade, into sight where it is first; or "
+        "step, before that",
+        "HOW", "fade")
+        ->group("Trajectories");
 }
 
 void add_diff(CLI::App& app, Options& options) {

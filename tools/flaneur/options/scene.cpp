@@ -180,7 +180,7 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
 
 Result<void> settle_scene(const SceneWords& words, Options& options) {
     const bool is_replayed = !words.replay.empty();
-    Result<Scene> scene = is_replayed ? replayed_scene(words.replay, options) : load_scene(words.scene);
+    Result<Scene> scene = is_replayed ? replayed_scene(words, options) : load_scene(words.scene);
     if (!scene && is_replayed) return scene.error();
     if (!scene && has_ending(words.scene, ".json")) return scene.error();
     if (!scene) return Error{scene.error().message + did_you_mean(words.scene, scene_names())};

@@ -30,7 +30,9 @@ struct SceneWords {
     std::optional<Size> size;
     std::optional<WorkViews> views;
     std::optional<Techniques> techniques;
-    std::string replay;  // a recording whose scene it is; empty: `scene` is named
+    std::string replay;         // a recording, or trajectories, whose scene it is; empty: `scene` is named
+    TrajectoryReading reading;  // of trajectories
+    Entering entering = Entering::fade;
 };
 
 // An option whose text one of the parse_ functions takes apart. What they refuse with begins with the text.

@@ -40,7 +40,7 @@ void begin_anew(Show& show, const Options& options, Viewer& v) {
     v.watch = {};
     begin_cameras(options.scene, v);
     if (v.change.scene.limbs != options.scene.limbs) v.techniques.on.gait = options.techniques.gait;
-    v.change = {};
+    v.change = Change();
     start_changes(options, show, v);
     recall(show, v);
     v.hovered = v.selected = std::nullopt;
