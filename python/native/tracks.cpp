@@ -115,8 +115,8 @@ py::dict columns_of(const Tracks& tracks) {
 // Frame by frame into the open file; what fails is told.
 Result<void> write_frames(const Tracks& tracks, TrajectoryFormat format, FILE* file,
                           const std::string& path) {
-    Result<TrajectoryWriterPtr> writer =
-        begin_trajectories(format, file, path, tracks.of.fps, tracks.of.area, "flaneur " FLANEUR_VERSION);
+    Result<TrajectoryWriterPtr> writer = begin_trajectories(format, file, path, tracks.of.fps, tracks.of.area,
+                                                            "flaneur " FLANEUR_VERSION, tracks.of.heights);
     if (!writer) return writer.error();
     for (size_t k = 0; k < tracks.table.frames.size(); ++k)
         if (!add_frame(**writer, tracks.table.frames[k], seen_in(tracks.table, k))) break;

@@ -1,6 +1,7 @@
 """Pictures and films, by the program: what is drawn, what is refused, and Ctrl-C."""
 
 import base64
+import json
 import os
 import re
 import shutil
@@ -10,6 +11,7 @@ import sys
 import threading
 import time
 
+import numpy as np
 import pytest
 
 import flaneur
@@ -33,6 +35,19 @@ def test_a_frame_and_a_scene_are_drawn(tmp_path):
     assert out.read_bytes() != empty.read_bytes()
     scene = flaneur.render("corner", tmp_path / "corner.png", start=0.5, size=SMALL, options=["--walkers", "5"])
     assert size_of(scene) == SMALL
+
+
+def test_heads_are_no_ground(tmp_path):
+    """Who is known by the height of the head stands on the floor, as one does whose height is not known."""
+    feet = []
+    for heights, frame in (("heads", two_who_walk(z=1.75)), ("nothing", two_who_walk())):
+        flaneur.render(
+            flaneur.Trajectories(frame, 10.0, heights=heights), tmp_path / "a.png", start=2, size=SMALL, geometry=AREA,
+            camera=((4, -9, 6), (4, 1, 1)), options=["--ids", str(tmp_path / "ids.png")],
+        )
+        things = json.loads((tmp_path / "ids.json").read_text())["things"]
+        feet.append([thing["box"][1] + thing["box"][3] for thing in things if thing["kind"] == "walker"])
+    assert len(feet[0]) == 2 and np.allclose(feet[0], feet[1], atol=2), feet
 
 
 def test_a_file_and_a_recording_are_drawn(tmp_path):

@@ -60,6 +60,15 @@ def test_what_is_written_is_read_again(tmp_path, ending):
     assert [p.name for p in tmp_path.iterdir()] == [file.name]
 
 
+@pytest.mark.parametrize("z, heights", [(1.2, "heads"), (1.76, "heads"), (3.4, "ground")])
+def test_heights_stay_what_they_are_of(tmp_path, z, heights):
+    file = tmp_path / "two.txt"
+    recorded = flaneur.Trajectories(two_who_walk(z=z), fps=10, heights=heights)
+    flaneur.write_trajectories(recorded, file)
+    read = flaneur.read_trajectories(file)
+    assert read.heights == heights and np.allclose(read.frame.z, z)
+
+
 def test_pedpys_own_is_taken(tmp_path):
     data = TrajectoryData(two_who_walk(point=None), 10.0)
     file = tmp_path / "two.sqlite"
