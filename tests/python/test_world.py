@@ -1,7 +1,6 @@
 """Worlds: shapes, axes, determinism, what is refused, and threads of Python beside them."""
 
 import doctest
-import os
 import signal
 import subprocess
 import threading
@@ -169,10 +168,12 @@ def test_a_counter_runs_while_one_call_steps():
 
 def test_ctrl_c_ends_a_long_step():
     world = flaneur.World("corner", walkers=30)
-    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+    usual = signal.signal(signal.SIGALRM, signal.getsignal(signal.SIGINT))  # which raises KeyboardInterrupt
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
     begin = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         world.step(10**9)
+    signal.signal(signal.SIGALRM, usual)
     assert time.monotonic() - begin < 5
     gone = world.tick
     assert 0 < gone < 10**9
