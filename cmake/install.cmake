@@ -41,7 +41,7 @@ install(FILES ${PROJECT_BINARY_DIR}/package/flaneur-config.cmake
         DESTINATION ${CONFIG_DIR} COMPONENT dev)
 install(FILES cmake/dependencies.cmake DESTINATION ${CONFIG_DIR} RENAME flaneur-dependencies.cmake COMPONENT dev)
 
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libflaneur-dev COMPONENT dev)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libflaneur-dev COMPONENT dev PATTERN notebook EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libflaneur-dev RENAME copyright COMPONENT dev)
 install(FILES THIRD_PARTY.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libflaneur-dev COMPONENT dev)
 
@@ -80,6 +80,17 @@ if(FLANEUR_PROGRAM)
         install(FILES ${PAGES_DIR}/flaneur.fish
             DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
     endif()
+endif()
+
+# python3-flaneur: where Debian's Python looks, and below another prefix for PYTHONPATH.
+if(FLANEUR_PYTHON)
+    set(PYTHON_DIR lib/python3/dist-packages/flaneur)
+    install(TARGETS flaneur_python LIBRARY DESTINATION ${PYTHON_DIR} COMPONENT python)
+    install(DIRECTORY python/flaneur/ DESTINATION ${PYTHON_DIR} COMPONENT python FILES_MATCHING PATTERN *.py PATTERN *.pyi
+        PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+    install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-flaneur RENAME copyright COMPONENT python)
+    install(FILES THIRD_PARTY.md docs/python.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-flaneur COMPONENT python)
+    install(DIRECTORY examples/notebook DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-flaneur/examples COMPONENT python)
 endif()
 
 # rendercheck

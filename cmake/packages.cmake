@@ -1,4 +1,4 @@
-# `cpack` in a build folder makes the Debian packages flaneur, rendercheck and libflaneur-dev.
+# `cpack` in a build folder makes the Debian packages flaneur, rendercheck, python3-flaneur and libflaneur-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The flaneur authors")
 set(CPACK_PACKAGE_CONTACT "The flaneur authors")
@@ -40,6 +40,21 @@ Tells what differs and where, as text, JUnit and a page to look at.")
     set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_SHLIBDEPS ON)
     # Vulkan is asked which device draws, where there is any.
     set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_RECOMMENDS "libvulkan1, mesa-vulkan-drivers | vulkan-icd")
+endif()
+
+if(FLANEUR_PYTHON)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-flaneur)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON_DESCRIPTION "crowds that walk, and trajectories of people, for Python
+Simulates people in a city, reads and writes trajectories of PeTrack, JuPedSim,
+SUMO, Vadere and others as frames of pandas, measures density, speed and flow,
+and shows them in a notebook as people who walk, with a GPU or without one.")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+    # The module serves the Python that it was compiled for alone.
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+        "python3 (>= ${FLANEUR_PYTHON_VERSION}), python3 (<< ${FLANEUR_PYTHON_NEXT}), python3-numpy, python3-pandas")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "flaneur, ffmpeg")
 endif()
 
 # Those who link static libraries link all that these are linked with.

@@ -210,7 +210,7 @@ std::optional<TrajectoryFormat> trajectory_format_of(std::string_view path) {
 
 Result<TrajectoryWriterPtr> begin_trajectories(TrajectoryFormat format, FILE* file, const std::string& path,
                                                float fps, const std::vector<WalkablePolygon>& area,
-                                               const std::string& about) {
+                                               const std::string& about, HeightsOf heights) {
     TrajectoryWriterPtr writer(new TrajectoryWriter);
     writer->format = format;
     writer->file = file;
@@ -220,10 +220,9 @@ Result<TrajectoryWriterPtr> begin_trajectories(TrajectoryFormat format, FILE* fi
             std::fputs("frame,time_s,id,x_m,y_m,z_m,facing_x,facing_y\n", file);
             break;
         case TrajectoryFormat::text:
-            std::fprintf(file,
-                         "# %s\n# framerate: %s fps\n# z: height of the ground under the person\n"
-                         "# id frame x/m y/m z/m\n",
-                         about.c_str(), plainly(fps).c_str());
+            std::fprintf(file, "# %s\n# framerate: %s fps\n# z: height of the %s\n# id frame x/m y/m z/m\n",
+                         about.c_str(), plainly(fps).c_str(),
+                         heights == HeightsOf::heads ? "head" : "ground under the person");
             break;
         case TrajectoryFormat::fcd:
             std::fputs(k_fcd_head, file);

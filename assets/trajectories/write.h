@@ -26,10 +26,11 @@ struct TrajectoryWriterDelete {
 using TrajectoryWriterPtr = std::unique_ptr<TrajectoryWriter, TrajectoryWriterDelete>;
 
 // Writes to `file`, which is open and empty; SQLite opens it by its name `path` once more. `about`, a line,
-// is told where the format has a place for it.
+// and what heights are of are told where the format has a place for it.
 Result<TrajectoryWriterPtr> begin_trajectories(TrajectoryFormat format, FILE* file, const std::string& path,
                                                float fps, const std::vector<WalkablePolygon>& area,
-                                               const std::string& about);
+                                               const std::string& about,
+                                               HeightsOf heights = HeightsOf::ground);
 // All who are there in the next frame, all of one number and larger than the last one's. False where it could
 // not be written, as finish_trajectories() then tells.
 bool add_frame(TrajectoryWriter& writer, uint32_t frame, std::span<const Sighting> people);

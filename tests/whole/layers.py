@@ -160,10 +160,11 @@ tools/flaneur/bench: tools/rendercheck/verdict, assets/files, assets/gltf/charac
 tools/flaneur/bench/gauntlet: assets/files, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/plot, sim/base
 tools/flaneur/bench/study: tools/rendercheck/verdict, sim/pose, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/plot, tools/flaneur/view
 tools/flaneur: assets, assets/cache, assets/files, assets/gltf, assets/recording, sim, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/check, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/measures, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/recording, tools/flaneur/sheets, tools/flaneur/tracks, tools/flaneur/validate, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
+python/native: assets, assets/measures, assets/trajectories, sim, sim/base, tools/flaneur/console, tools/flaneur/load
 """
 MOST_FILES = 25
 CODE = (".h", ".cpp", ".glsl", ".vert", ".frag", ".comp")
-TOPS = ("sim", "assets", "renderer", "shaders", "tools")
+TOPS = ("sim", "assets", "renderer", "shaders", "tools", "python")
 
 faults = []
 

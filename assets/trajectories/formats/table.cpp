@@ -128,6 +128,7 @@ void read_comment(TableHead& head, std::string_view line) {
     if (says("x/m ") || line.ends_with("x/m") || says("in m")) head.found.unit = 1;
     if (says("in mm") || says("x/mm")) head.found.unit = 0.001;
     if (says("height of the ground")) head.found.heights = HeightsOf::ground;
+    if (says("height of the head")) head.found.heights = HeightsOf::heads;
     if (says("PeTrack")) head.found.format = "PeTrack's text";
     if (says("jpscore")) head.found.format = "jpscore's text";
     if (says("#IDXCOL")) head.found.format = "steps of Vadere", head.found.geometry_ending = ".scenario";

@@ -1,0 +1,32 @@
+# The Python that `import flaneur` is built for: Debian's, whose packages hold pybind11, numpy and pandas. Where something is
+# missing FLANEUR_PYTHON becomes OFF, and it is said why.
+find_program(FLANEUR_PYTHON_PROGRAM python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(FLANEUR_PYTHON_PROGRAM python3)
+find_path(FLANEUR_PYBIND11_INCLUDE pybind11/pybind11.h)
+mark_as_advanced(FLANEUR_PYTHON_PROGRAM FLANEUR_PYBIND11_INCLUDE)
+set(lacks "")
+if(FLANEUR_SANITIZE OR CMAKE_CROSSCOMPILING)
+    set(lacks "a build for this machine without sanitizers")
+elseif(NOT FLANEUR_PYBIND11_INCLUDE OR NOT FLANEUR_PYTHON_PROGRAM)
+    set(lacks "pybind11-dev and python3-dev")
+else()
+    execute_process(COMMAND ${FLANEUR_PYTHON_PROGRAM} -c "import numpy, pandas, sysconfig as s, sys
+major, minor = sys.version_info[:2]
+print(s.get_path('include'), s.get_config_var('EXT_SUFFIX'), f'{major}.{minor}', f'{major}.{minor + 1}', sep=';')"
+        OUTPUT_VARIABLE found ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed)
+    if(failed)
+        set(lacks "python3-numpy and python3-pandas")
+    else()
+        list(GET found 0 FLANEUR_PYTHON_INCLUDE)
+        list(GET found 1 FLANEUR_PYTHON_SUFFIX)
+        list(GET found 2 FLANEUR_PYTHON_VERSION)
+        list(GET found 3 FLANEUR_PYTHON_NEXT)
+        if(NOT EXISTS ${FLANEUR_PYTHON_INCLUDE}/Python.h)
+            set(lacks "python3-dev")
+        endif()
+    endif()
+endif()
+if(lacks)
+    message(STATUS "No Python module is built: it takes ${lacks}.")
+    set(FLANEUR_PYTHON OFF)
+endif()
