@@ -33,10 +33,10 @@ while read -r line; do
         xvfb-run -a -s "-screen 0 1400x900x24" "${words[@]}" --frames 5
     else
         "${words[@]}" > said
-        [[ -s said || " $line " == *" --out "* ]]
+        [[ -s said || " $line " == *" --out "* || " $line " == *" --record "* ]]
     fi
     for ((i = 2; i < ${#words[@]} - 1; ++i)); do
-        if [[ ${words[i]} =~ ^--(out|json|sheet|csv|svg|strip)$ && ! -s ${words[i + 1]} ]]; then
+        if [[ ${words[i]} =~ ^--(out|record|json|sheet|csv|svg|strip)$ && ! -s ${words[i + 1]} ]]; then
             echo "FAILED: it has not written ${words[i + 1]}." && exit 1
         fi
     done

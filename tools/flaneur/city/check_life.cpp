@@ -124,7 +124,7 @@ void look_at_pastimes(const World& w, LifeTally& t) {
         const bool sits = p.what == Staying::sits && p.phase == StayPhase::stays;
         t.sitting += sits;
         if (sits && t.sat_since[p.walker] != p.began)
-            t.sat.push_back(static_cast<float>(p.until - p.began) * k_tick / 60);
+            t.sat.push_back(static_cast<float>(std::max(p.until, p.began) - p.began) * k_tick / 60);
         t.sat_since[p.walker] = sits ? p.began : k_never;
         if (p.what != Staying::queues || p.phase != StayPhase::stays || p.rank == 0) continue;
         for (const Pastime& q : w.pastimes->all)
