@@ -1,11 +1,11 @@
 #!/bin/bash
-# suite.sh FLANEUR BUILD LEAVES_OUT [PATTERN]: runs another build's tests, or those whose names begin as the regular expression
-# PATTERN says. Left out are those that concern the whole checkout, and those that a line of the file LEAVES_OUT begins. What a
+# suite.sh FLANEUR BUILD LEAVES_OUT [PATTERN [CASES]]: runs another build's tests, or those whose names begin as the regular
+# expression PATTERN says, and of programs of cases those that CASES takes, as GoogleTest writes filters. Left out are those that concern the whole checkout, and those that a line of the file LEAVES_OUT begins. What a
 # sanitizer has to say fails the program that it concerns. The cases of a program run in one process for each core, as a
 # process of its own for each takes longer than most cases do. People are made once, by FLANEUR, which a sanitizer would
 # take minutes for.
 set -euo pipefail
-flaneur=$1 build=$2 leaves_out=$3 pattern=${4-.}
+flaneur=$1 build=$2 leaves_out=$3 pattern=${4-.} cases=${5-*}
 fresh=$(dirname "$(realpath "$0")")/../fresh
 # Of each test "number name".
 all=$(ctest --show-only --test-dir "$build" --label-exclude whole | sed -n 's/^ *Test *#\([0-9]*\): /\1 /p' | grep -E " $pattern")
@@ -30,7 +30,7 @@ for program in $(sed -n 's/^[0-9]* \([a-z_]*_tests\)[.].*/\1/p' <<< "$chosen" | 
     without=$(sed -n "s/^${program}[.]\(.*\)/\1*/p" "$leaves_out" | paste --serial --delimiters=:)
     running=()
     for ((shard = 0; shard < shards; ++shard)); do
-        GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard "$fresh" "$build/$program" --gtest_filter="-$without" &
+        GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard "$fresh" "$build/$program" --gtest_filter="$cases-$without" &
         running+=($!)
     done
     for pid in "${running[@]}"; do wait "$pid" || failed+=("$program"); done
