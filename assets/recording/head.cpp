@@ -1,8 +1,10 @@
 #include "assets/recording/head.h"
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "assets/recording/container.h"
+#include "assets/recording/container_form.h"
 
 namespace flaneur {
 
@@ -41,6 +43,12 @@ Result<RecordingHead> parse_recording_head(const std::string& path, std::string_
                      "be shown by itself."};
     }
     return head;
+}
+
+bool looks_recorded(const std::string& path) {
+    std::string begins(k_recording_magic.size(), 0);
+    return std::ifstream(path, std::ios::binary).read(begins.data(), std::ssize(begins)) &&
+           begins == k_recording_magic;
 }
 
 Result<RecordingHead> read_recording_head(const std::string& path) {

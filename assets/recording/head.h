@@ -22,6 +22,8 @@ struct RecordingHead {
     float error = 0.001f;           // of motion: metres at most; 0: to the last bit
 };
 std::string recording_head(const RecordingHead& head);
+// Whether a file begins as recordings do.
+bool looks_recorded(const std::string& path);
 // Refuses, in a sentence, what is no recording, and what has another head.
 Result<RecordingHead> read_recording_head(const std::string& path);
 Result<RecordingHead> parse_recording_head(const std::string& path, std::string_view text);
