@@ -143,10 +143,14 @@ void add_animation(tinygltf::Model& model, const GlbMotion& motion) {
 
 }  // namespace
 
-std::string character_glb(const Character& c, const std::array<uint32_t, k_tint_count>& tints) {
+std::array<std::string, k_joint_count> vrm_joint_names() {
     JointNames names;
     for (size_t j = 0; j < k_joint_count; ++j) names[j] = vrm_name(k_joint_names[j]);
-    tinygltf::Model model = model_of(c, tints, names);
+    return names;
+}
+
+std::string character_glb(const Character& c, const std::array<uint32_t, k_tint_count>& tints) {
+    tinygltf::Model model = model_of(c, tints, vrm_joint_names());
     return finish_glb(model);
 }
 

@@ -10,6 +10,9 @@
 
 namespace flaneur {
 
+// VRM's names of humanoid bones, by Joint.
+std::array<std::string, k_joint_count> vrm_joint_names();
+
 // The bytes of a binary glTF file (.glb): the finest level of detail as one skinned mesh in the pose it was
 // bound in, on 22 joints that bear VRM's names of humanoid bones. `tints`, sRGB as outfit() gives them, are
 // laid into the colours of vertices (COLOR_0). Of characters without textures, as the built-in people are.

@@ -71,6 +71,7 @@ assets/osm/street: assets, assets/osm, assets/plan, sim/lanes
 assets/demand: assets, assets/files, assets/osm, sim/base, sim/coming
 assets/cache: assets, assets/files, sim/base, sim/navigation
 assets/gltf: assets, assets/files, sim/base
+assets/gltf/group: assets, assets/files, assets/gltf, sim/base
 assets/gltf/city: assets, assets/files, assets/gltf, sim/base, sim/ground
 assets/gltf/character: assets, assets/cache, assets/files, assets/gltf, assets/people, sim/animation, sim/base, sim/body
 assets/scene: assets, assets/files, sim/base, sim/ways
@@ -124,6 +125,7 @@ tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/cu
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
 tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/body, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
+tools/flaneur/export: assets/files, assets/gltf/group, assets/trajectories, sim, sim/base, tools/extract, tools/flaneur/console, tools/flaneur/load, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/recording, tools/flaneur/tracks
 tools/flaneur/overlay: renderer, sim, sim/deeds, sim/gait, sim/stepper, sim/ways, tools/extract, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/overlay, tools/flaneur/recording
 tools/flaneur/history: sim, sim/base
@@ -159,7 +161,7 @@ tools/flaneur/city: assets, assets/files, assets/gltf/city, sim, sim/alongside, 
 tools/flaneur/bench: tools/rendercheck/verdict, assets/files, assets/gltf/character, sim, sim/animation, sim/base, sim/fall, sim/gait, sim/linkages, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur/bench/gauntlet: assets/files, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/plot, sim/base
 tools/flaneur/bench/study: tools/rendercheck/verdict, sim/pose, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/plot, tools/flaneur/view
-tools/flaneur: assets, assets/cache, assets/files, assets/gltf, assets/recording, sim, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/check, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/measures, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/recording, tools/flaneur/sheets, tools/flaneur/tracks, tools/flaneur/validate, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
+tools/flaneur: assets, assets/cache, assets/files, assets/gltf, assets/gltf/group, assets/recording, assets/trajectories, sim, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/check, tools/flaneur/city, tools/flaneur/console, tools/flaneur/export, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/measures, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/recording, tools/flaneur/sheets, tools/flaneur/tracks, tools/flaneur/validate, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
 python/native: assets, assets/measures, assets/trajectories, sim, sim/base, tools/flaneur/console, tools/flaneur/load
 """
 MOST_FILES = 25

@@ -11,6 +11,7 @@ Result<void> run_render(const Options& options);
 Result<void> run_sim(const Options& options);
 Result<void> run_check(const Options& options);
 Result<void> run_replay(const Options& options);
+Result<void> run_export(const Options& options);
 Result<void> run_diff(const Options& options);
 Result<void> run_validate(const Options& options);
 Result<void> run_measure(const Options& options);

@@ -109,12 +109,9 @@ Recording one_motion(const GaitOptions& gait) {
 }
 
 void add_tick(Recording& motion, const World& world, size_t walker) {
-    if (motion.ticks.empty()) {
-        float scale = world.crowd.identity.scale[walker];
-        motion.body = world.kinds[world.crowd.identity.body[walker]].body;
-        for (Vec3& joint : motion.body.joints) joint = joint * scale;
-        for (float* size : {&motion.body.height, &motion.body.heel, &motion.body.toe}) *size *= scale;
-    }
+    if (motion.ticks.empty())
+        motion.body = scaled_body(world.kinds[world.crowd.identity.body[walker]].body,
+                                  world.crowd.identity.scale[walker]);
     JointPoses& poses = motion.ticks.emplace_back();
     for (size_t j = 0; j < k_joint_count; ++j)
         poses[j] = joint_pose(world.poses, walker, static_cast<Joint>(j));

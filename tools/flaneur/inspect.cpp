@@ -10,6 +10,7 @@
 #include "assets/character.h"
 #include "assets/cities.h"
 #include "assets/files/file.h"
+#include "assets/gltf/group/group.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/load/load.h"
@@ -203,6 +204,12 @@ Result<Json> inspect(const Options& options) {
     }
     Result<Character> character = load_character(path, {options.force, cache_folder()});
     if (character) return facts_of(*character);
+    if (const Result<GroupFound> group = find_group(path)) {
+        return Json{{"kind", "people"},
+                    {"people", group->names},
+                    {"triangles", group->triangles},
+                    {"animations", group->clips}};
+    }
     if (has_skin(path)) return character.error();
     // A glTF scene with nobody in it may be a city.
     Result<City> city = load_city(path, how);

@@ -52,6 +52,8 @@ Result<void> run_command(const Options& options) {
             return run_check(options);
         case Command::replay:
             return run_replay(options);
+        case Command::exports:
+            return run_export(options);
         case Command::diff:
             return run_diff(options);
         case Command::validate:

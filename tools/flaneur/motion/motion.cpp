@@ -14,4 +14,11 @@ Vec3 bone_end(const Body& body, size_t joint) {
     return {0, 0.1f * (body.joints[left_foot].y - body.joints[left_upper_leg].y), 0};
 }
 
+Body scaled_body(const Body& body, float scale) {
+    Body out = body;
+    for (Vec3& joint : out.joints) joint = joint * scale;
+    for (float* size : {&out.height, &out.heel, &out.toe}) *size *= scale;
+    return out;
+}
+
 }  // namespace flaneur

@@ -17,4 +17,7 @@ Quat own_turn(const JointPoses& poses, size_t joint);
 // and of toes the tip of the sole, which lies on the ground.
 Vec3 bone_end(const Body& body, size_t joint);
 
+// The same body, larger or smaller.
+Body scaled_body(const Body& body, float scale);
+
 }  // namespace flaneur

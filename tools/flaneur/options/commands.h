@@ -11,6 +11,7 @@ void add_render(CLI::App& app, SceneWords& words, Options& options);
 void add_sim(CLI::App& app, SceneWords& words, Options& options);
 void add_check(CLI::App& app, SceneWords& words, Options& options);
 void add_replay(CLI::App& app, SceneWords& words, Options& options);
+void add_export(CLI::App& app, SceneWords& words, Options& options);
 void add_diff(CLI::App& app, Options& options);
 void add_validate(CLI::App& app, Options& options);
 void add_measure(CLI::App& app, Options& options);

@@ -48,16 +48,6 @@ bool read_places(std::string_view text, std::vector<Vec2>& to) {
     return !to.empty();
 }
 
-// Of "FROM:TO".
-Result<Moments> parse_part(const std::string& text) {
-    const std::vector<std::string_view> ends = split(text, ':');
-    Moments part;
-    if (ends.size() == 2 && parse_number(ends[0], part.first) && parse_number(ends[1], part.last) &&
-        part.first >= 0 && part.last >= part.first && part.last <= 1e9)
-        return part;
-    return Error{excerpt(text) + " is not FROM:TO, such as 10:40"};
-}
-
 Result<Moments> parse_frames(const std::string& text) {
     Result<Moments> part = parse_part(text);
     if (part && part->first == std::floor(part->first) && part->last == std::floor(part->last)) return part;
@@ -102,6 +92,15 @@ bool is_name(std::string_view text) {
 }
 
 }  // namespace
+
+Result<Moments> parse_part(const std::string& text) {
+    const std::vector<std::string_view> ends = split(text, ':');
+    Moments part;
+    if (ends.size() == 2 && parse_number(ends[0], part.first) && parse_number(ends[1], part.last) &&
+        part.first >= 0 && part.last >= part.first && part.last <= 1e9)
+        return part;
+    return Error{excerpt(text) + " is not FROM:TO, such as 10:40"};
+}
 
 Result<std::vector<WalkablePolygon>> parse_area(const std::string& text) {
     std::vector<WalkablePolygon> area;

@@ -18,6 +18,7 @@ constexpr const char* k_footer = R"(Examples:
   flaneur sim --seconds 60 --hash                          the same number on every x86-64 machine
   flaneur check --sim --with OTHER_FLANEUR                 the first tick, walker and field in which two builds differ
   flaneur sim --seconds 60 --record out/a.flr              a minute, to be shown by flaneur replay out/a.flr
+  flaneur export out/a.flr out/a.glb --walkers 10:20       some of those people for Blender, with how they moved
   flaneur validate                                         the tests of RiMEA and NIST, expected beside measured
   flaneur measure corridor.txt --out out/corridor          density, speed, flow and more of any trajectories
   flaneur bench frame --walkers 2000                       where the time of a frame goes
@@ -55,6 +56,7 @@ Result<std::variant<std::monostate, Options>> parse_words(int argc, char** argv)
     add_validate(app, options);
     add_measure(app, options);
     add_replay(app, words, options);
+    add_export(app, words, options);
     add_diff(app, options);
     add_bench(app, words, options);
     add_gait(app, words, options);

@@ -35,6 +35,7 @@ enum class Command {
     validate,
     measure,
     replay,
+    exports,
     diff
 };
 enum class BenchLoad {
@@ -177,6 +178,14 @@ struct RecordOptions {
     float error = 0.001f;  // of motion: metres at most; 0: to the last bit
 };
 
+// What is written for other programs.
+struct ExportOptions {
+    std::vector<std::string> files;    // what of, unless a scene is named; where to
+    std::vector<WalkerRange> walkers;  // by number; empty: all
+    Moments seconds{0, 1e9};           // from the source's beginning; all that there is
+    uint32_t fps = 0;                  // 0: as is usual
+};
+
 struct Options {
     Command command = Command::view;
     Scene scene;      // with what the command line says instead
@@ -197,6 +206,7 @@ struct Options {
     RecordOptions record;
     std::string replay;  // view, render, check, replay: the recording that is shown; empty: a scene is
     bool checks_replay = false;
+    ExportOptions exported;
     float within = 0;           // diff: metres that do not count
     TrajectoryReading reading;  // inspect, measure
 
@@ -254,7 +264,7 @@ struct Options {
     GaitOptions gait;
     PeopleOptions people;
 
-    // inspect, measure
+    // inspect, measure, export
     std::string file;
 
     // scenes
@@ -283,6 +293,10 @@ Result<CountLine> parse_line(const std::string& text);
 Result<uint64_t> parse_seed(const std::string& text);
 // "21.5:24"
 Result<Moments> parse_moments(const std::string& text);
+// "10:40", of any time.
+Result<Moments> parse_part(const std::string& text);
+// "12", "10:20" or "3,7,10:20": who by number.
+Result<std::vector<WalkerRange>> parse_who(const std::string& text);
 // "500", of which there may be as many as a scene has; or "100:1e6", up to k_most_swept.
 Result<WalkerRange> parse_walkers(const std::string& text);
 // "600", "0:600" or "0:600:2".

@@ -87,6 +87,48 @@ Result<TickRange> parse_seconds(const std::string& text) {
     return TickRange{static_cast<uint32_t>(first * 60 + 0.5), static_cast<uint32_t>(last * 60 + 0.5), 2};
 }
 
+constexpr const char* k_export_footer =
+    R"(SOURCE is a recording (--record of sim, render, view or bench tick), or trajectories of any program, as docs/trajectories.md
+says which: motion of those is that of bodies that go the same ways. With --scene or --city a run is simulated instead, and
+OUT is all that is named.
+The ending of OUT says what is written:
+  .glb                 how people move, with the meshes that they wear: glTF 2.0, for Blender, engines and viewers
+  .bvh                 how one person moves; of several a folder of that name without its ending, with a file each
+  .sqlite              where they are: JuPedSim's database        .txt             text of PeTrack and jpscore
+  .csv                 headed columns                             .fcd.xml, .xml   floating-car data of SUMO
+  .geojson, .json      moving features of OGC, in metres          .traj            steps of Vadere
+Seconds of what is written count from the beginning of --seconds. In a .glb everybody has a clip of their own, behind one
+of all; who is not there yet, or any more, has a size of 0.
+Examples:
+  flaneur sim --scene life --seconds 60 --record out/life.flr
+  flaneur export out/life.flr out/life.glb --walkers 10:20 --seconds 5:15
+  flaneur export out/life.flr out/walks.bvh --walkers 3,7,9 --fps 30      out/walks/walker_3.bvh and so on
+  flaneur export out/life.flr out/life.sqlite                             everybody, for PedPy
+  flaneur export corridor.h5 out/corridor.glb --seconds 0:10              bodies for measured places
+  flaneur export corridor.h5 out/corridor.fcd.xml --fps 10
+  flaneur export --scene quayside out/quay.glb --walkers 0:9
+docs/export.md tells more.)";
+
+// Tells by what is in it whether the source is a recording.
+void settle_source(const CLI::App& command, SceneWords& words, Options& options) {
+    std::vector<std::string>& files = options.exported.files;
+    const bool is_simulated = command.count("--scene") + command.count("--city") > 0;
+    auto refuse = [](const std::string& why) {
+        throw CLI::ValidationError(why, CLI::ExitCodes::ValidationError);
+    };
+    if (is_simulated && files.size() > 1)
+        refuse("export: --scene and --city are what is exported; then OUT is all that is named besides.");
+    if (!is_simulated && files.size() != 2)
+        refuse("export wants what and where to: flaneur export SOURCE OUT, or export --scene NAME OUT.");
+    options.out = files.back();
+    if (is_simulated) return;
+    for (const CLI::Option* option : command.get_options())
+        if (option->get_group() == "Scene" && option->count() > 0)
+            refuse(option->get_name() + " is for what is simulated, with --scene or --city; " + files[0] +
+                   " is as it was.");
+    (is_recording(files[0]) ? words.replay : options.file) = files[0];
+}
+
 }  // namespace
 
 void add_reading_options(CLI::App& app, TrajectoryReading& reading) {
@@ -231,6 +273,42 @@ void add_diff(CLI::App& app, Options& options) {
     add_parsed(*diff, "--within", parse_millimetres, options.within,
                "What does not count: 0.1 to 50 millimetres, and half as many degrees; 0: nothing", "MM", "0");
     diff->add_option("--threads", options.threads, "Threads that read them; 0: one a core")
+        ->type_name("N")
+        ->transform(whole_between(0, 256))
+        ->capture_default_str();
+}
+
+void add_export(CLI::App& app, SceneWords& words, Options& options) {
+    CLI::App* command = app.add_subcommand("export", "Write how and where people went, for other programs")
+                            ->footer(k_export_footer);
+    command->add_option("files", options.exported.files, "SOURCE and OUT; with --scene or --city OUT alone")
+        ->type_name("FILE")
+        ->expected(-1)
+        ->take_all()
+        ->required();
+    command->callback([&, command] {
+        options.command = Command::exports;
+        settle_source(*command, words, options);
+    });
+    add_parsed(
+        *command, "--walkers", parse_who, options.exported.walkers,
+        "Who, by number: 12, 10:20 or 3,7,10:20, as --camera follow:12 counts; of trajectories, as they "
+        "are called there",
+        "WHO", "all");
+    add_parsed(*command, "--seconds", parse_part, options.exported.seconds,
+               "Which part of the time; of a scene, without it, the first ten seconds", "FROM:TO", "all");
+    command
+        ->add_option("--fps", options.exported.fps,
+                     "Frames a second, 1 to 60; without it, 60 of motion, and of places 25 or as many as "
+                     "SOURCE has")
+        ->type_name("N")
+        ->transform(whole_between(1, 60));
+    add_place_options(*command, words);
+    add_characters(*command, words, "Who walks in a scene, as render has it; may be given several times",
+                   "FILE[:SHARE]")
+        ->group("Scene");
+    add_force(*command, options)->group("Scene");
+    command->add_option("--threads", options.threads, "Threads that simulate or read; 0: one a core")
         ->type_name("N")
         ->transform(whole_between(0, 256))
         ->capture_default_str();

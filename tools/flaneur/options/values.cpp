@@ -108,6 +108,19 @@ Result<WalkerRange> parse_walkers(const std::string& text) {
     return range;
 }
 
+Result<std::vector<WalkerRange>> parse_who(const std::string& text) {
+    std::vector<WalkerRange> who;
+    for (const std::string_view part : split(text, ',')) {
+        const std::vector<std::string_view> ends = split(part, ':');
+        WalkerRange range;
+        if (ends.size() > 2 || !parse_number(ends.front(), range.first) ||
+            !parse_number(ends.back(), range.last) || range.first > range.last)
+            return Error{excerpt(text) + " says not who: numbers and ranges of them, such as 3,7,10:20"};
+        who.push_back(range);
+    }
+    return who;
+}
+
 Result<TickRange> parse_ticks(const std::string& text) {
     auto parts = split(text, ':');
     uint64_t first = 0, last = 0, step = 1;

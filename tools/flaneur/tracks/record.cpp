@@ -18,6 +18,7 @@ void find_people(TrackRecord& record, const World& world, float share) {
     for (uint32_t i = 0; i < crowd.count; ++i) {
         if (!is_there(crowd, i)) continue;
         const uint32_t generation = crowd.slots.generation[i];
+        const uint32_t number = number_of(world, i, record.has_their_numbers);
         Vec3 at = crowd.motion.position[i];
         Vec2 facing = heading_direction(crowd.motion.heading[i]);
         if (share < 1) {
@@ -27,8 +28,9 @@ void find_people(TrackRecord& record, const World& world, float share) {
             at = lerp(before.at, at, share);
             facing = normalize_or(lerp(heading_direction(before.heading), facing, share), facing);
         }
-        record.people.push_back(
-            {record.frame, person_number(crowd, {i, generation}), on_ground(at), at.y, facing});
+        if (record.seen) record.seen->insert(number);
+        if (!is_wanted(record.wanted, number)) continue;
+        record.people.push_back({record.frame, number, on_ground(at), at.y, facing});
     }
     std::sort(record.people.begin(), record.people.end(),
               [](const Sighting& a, const Sighting& b) { return a.id < b.id; });
@@ -43,6 +45,17 @@ void remember(TrackRecord& record, const World& world) {
 }
 
 }  // namespace
+
+uint32_t number_of(const World& world, uint32_t walker, bool as_traced) {
+    if (as_traced && is_on(world.traced)) return world.traced.traces->ways[world.traced.way_of[walker]].id;
+    return person_number(world.crowd, {walker, world.crowd.slots.generation[walker]});
+}
+
+bool is_wanted(const std::vector<WalkerRange>& wanted, uint32_t number) {
+    return wanted.empty() || std::ranges::any_of(wanted, [&](const WalkerRange& range) {
+               return range.first <= number && number <= range.last;
+           });
+}
 
 Result<PartFilePtr> open_tracks(const std::string& path) {
     if (path.empty()) return PartFilePtr();
@@ -70,6 +83,7 @@ Result<void> begin_tracks(TrackRecord& record, const World& world, uint32_t fps)
     if (!writer) return Error{"Cannot write " + record.file->path + ": " + writer.error().message};
     record.writer = std::move(*writer);
     record.fps = fps;
+    record.begin = world.tick;
     add_tick(record, world);
     return {};
 }
@@ -77,7 +91,7 @@ Result<void> begin_tracks(TrackRecord& record, const World& world, uint32_t fps)
 bool add_tick(TrackRecord& record, const World& world) {
     if (!record.writer) return true;
     bool written = true;
-    const int64_t tick = world.tick, fps = record.fps;
+    const int64_t tick = int64_t{world.tick} - record.begin, fps = record.fps;
     while (written && record.frame * k_ticks_a_second <= tick * fps) {
         const int64_t past = record.frame * k_ticks_a_second - (tick - 1) * fps;  // in parts of a tick
         find_people(record, world, past >= fps ? 1 : static_cast<float>(past) / static_cast<float>(fps));
