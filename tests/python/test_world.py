@@ -166,19 +166,33 @@ def test_a_counter_runs_while_one_call_steps():
     assert len(during) > 10, f"{len(during)} looks in {marks['end'] - marks['begin']:.2f} s"
 
 
-def test_ctrl_c_ends_a_long_step():
-    world = flaneur.World("corner", walkers=30)
-    usual = signal.signal(signal.SIGALRM, signal.getsignal(signal.SIGINT))  # which raises KeyboardInterrupt
+@pytest.fixture
+def ctrl_c():
+    """Comes after 0.3 s, whatever Python is at, as a signal that does the same."""
+    usual = signal.signal(signal.SIGALRM, signal.getsignal(signal.SIGINT))
     signal.setitimer(signal.ITIMER_REAL, 0.3)
+    yield
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    signal.signal(signal.SIGALRM, usual)
+
+
+def test_ctrl_c_ends_a_long_step(request):
+    world = flaneur.World("corner", walkers=30)
+    request.getfixturevalue("ctrl_c")
     begin = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         world.step(10**9)
-    signal.signal(signal.SIGALRM, usual)
     assert time.monotonic() - begin < 5
     gone = world.tick
     assert 0 < gone < 10**9
     world.step(1)
     assert world.tick == gone + 1
+
+
+def test_ctrl_c_ends_the_making_of_a_world(ctrl_c):
+    with pytest.raises(KeyboardInterrupt):
+        flaneur.World("district", walkers=50_000)
+    assert len(flaneur.World("corner", walkers=3)) == 3
 
 
 def test_examples_in_docstrings_do_what_they_say():
