@@ -12,6 +12,7 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options);
 void add_check(CLI::App& app, SceneWords& words, Options& options);
 void add_replay(CLI::App& app, SceneWords& words, Options& options);
 void add_diff(CLI::App& app, Options& options);
+void add_join(CLI::App& app, Options& options);
 void add_validate(CLI::App& app, Options& options);
 void add_measure(CLI::App& app, Options& options);
 void add_bench(CLI::App& app, SceneWords& words, Options& options);
@@ -28,6 +29,9 @@ void add_drawing_options(CLI::App& app, SceneWords& words, Options& options);
 
 // --view
 void add_work_views(CLI::App& app, SceneWords& words);
+
+// --shard
+CLI::Option* add_shard_option(CLI::App& app, Options& options);
 
 // --record and what belongs to it; --replay, after all options of the scene
 void add_record_options(CLI::App& app, Options& options);
