@@ -13,6 +13,7 @@ Result<void> run_check(const Options& options);
 Result<void> run_replay(const Options& options);
 Result<void> run_export(const Options& options);
 Result<void> run_diff(const Options& options);
+Result<void> run_join(const Options& options);
 Result<void> run_validate(const Options& options);
 Result<void> run_measure(const Options& options);
 Result<void> run_gait(const Options& options);

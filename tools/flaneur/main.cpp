@@ -56,6 +56,8 @@ Result<void> run_command(const Options& options) {
             return run_export(options);
         case Command::diff:
             return run_diff(options);
+        case Command::join:
+            return run_join(options);
         case Command::validate:
             return run_validate(options);
         case Command::measure:

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/output/parts.h"
 #include "tools/flaneur/output/record.h"
 #include "tools/flaneur/recording/check.h"
 #include "tools/flaneur/view/camera.h"
@@ -23,8 +25,22 @@ namespace {
 // Seconds that ffmpeg may take to finish what it was given.
 constexpr double k_film_patience = 30;
 
+// Of a recording of which each tick is drawn: so many ticks before a part, what drags behind bodies is on its
+// way, so that it has come to the same as in a film from the first tick on; the lag of k_trail keeps nothing
+// of so long ago.
+constexpr uint32_t k_settled = 300;
+// What the view `trails` shows is as long as this.
+constexpr uint32_t k_trailed_ticks = k_trail_places * k_trail_ticks;
+
+std::string told_shard(Shard shard) {
+    return "part " + std::to_string(shard.number) + " of " + std::to_string(shard.of);
+}
+
 // What there is of the pictures when it is time to stop: a film is finished with those that it has.
 Error stopped(const Options& options, Output& output, uint32_t drawn) {
+    if (!is_whole(options.shard))
+        return interrupted(told_shard(options.shard) + " of " + options.out +
+                           " is not done; the same command goes on");
     const TickRange& ticks = options.ticks;
     while (drawn < count(ticks) && is_written(output, drawn, ticks.first + drawn * ticks.step)) ++drawn;
     if (drawn == 0) return interrupted(options.out + " is not done");
@@ -111,12 +127,28 @@ void say_left(const World& world, uint32_t walker) {
     say(text);
 }
 
-// `channels`: those of the first tick.
-Result<void> draw_all(Show& show, const Options& options, const CameraPath& path, Output& output,
-                      ChannelFiles channels) {
+// The tick to go to at once, of a recording, before the picture of `tick`: that one, or where what leads up
+// to it begins.
+uint32_t straight_to(const Show& show, const TickRange& ticks, uint32_t tick, bool is_first_of_part) {
+    if (!is_first_of_part || ticks.step > 1) return tick;
+    const uint32_t before = show.work_views[WorkView::trails] ? k_trailed_ticks : k_settled;
+    return std::max(ticks.first, tick - std::min(tick, before));
+}
+
+std::string told_end(const Options& options, uint32_t pictures, bool is_new) {
+    const std::string one = picture_path(options.out, options.ticks.first);
+    std::string out = count(options.ticks) == 1 && is_whole(options.shard) ? one : options.out;
+    if (!is_whole(options.shard))
+        out = told_shard(options.shard) + " of " + out + ", " + std::to_string(pictures) + " pictures";
+    return is_new ? "Wrote " + out : out + " has them already: nothing was drawn";
+}
+
+// `part`: which pictures of all. `channels`: those of its first tick.
+Result<void> draw_all(Show& show, const Options& options, const CameraPath& path, PictureSpan part,
+                      Output& output, ChannelFiles channels) {
     World& world = *show.loaded.world;
     const TickRange& ticks = options.ticks;
-    uint32_t pictures = count(ticks);
+    const uint32_t pictures = part.beyond - part.first;
     const CameraChoice& choice = options.scene.camera;
     Camera camera;
     CameraRig rig;
@@ -126,12 +158,16 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
     else if (show.lod > 0)
         camera = choose_camera(show, choice, options.scene.fov, options.scene.size, 1);
     bool is_new = false;
-    for (uint32_t i = 0; i < pictures; ++i) {
+    for (uint32_t i = 0; i < part.beyond; ++i) {
         FLANEUR_ZONE("frame");
         uint32_t tick = ticks.first + i * ticks.step;
+        // What is before a part: the first tick, by which a camera is chosen; and where people go by where
+        // they are looked at from, every one.
+        if (i > 0 && i < part.first && show.lod == 0) continue;
         // Who is gone along with is gone along with from the start on.
         if (show.playing && !goes_along(choice.kind) && world.tick + 1 < tick)
-            if (Result<void> shown = go_straight(show, tick); !shown) return shown;
+            if (const uint32_t to = straight_to(show, ticks, tick, i == part.first); world.tick < to)
+                if (Result<void> shown = go_straight(show, to); !shown) return shown;
         while (world.tick < tick && !is_stopping()) {
             if (i == 0 && world.tick % 60 == 0)
                 show_progress("simulating, tick " + std::to_string(world.tick));
@@ -155,12 +191,12 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
             camera = choose_camera(show, choice, options.scene.fov, options.scene.size, 1);
         }
         if (i == 0 && path.keys.empty()) say_camera(choice, camera);
-        if (is_written(output, i, tick)) continue;
+        if (i < part.first || is_written(output, i, tick)) continue;
         is_new = true;
-        show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
+        show_progress("picture " + std::to_string(i - part.first + 1) + " of " + std::to_string(pictures));
         FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
         if (path.keys.empty()) frame.companion = companion_of(choice);
-        if (i > 0) {
+        if (i > part.first) {
             Result<ChannelFiles> opened = open_channels_of(options, tick);
             if (!opened) return opened.error();
             channels = std::move(*opened);
@@ -182,8 +218,7 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
     }
     Result<void> finished = finish_output(output);
     clear_progress();
-    std::string out = pictures == 1 ? picture_path(options.out, ticks.first) : options.out;
-    if (finished) say(is_new ? "Wrote " + out : out + " has them already: nothing was drawn");
+    if (finished) say(told_end(options, pictures, is_new));
     return finished;
 }
 
@@ -211,6 +246,23 @@ TickRange ticks_of(const Options& options, const CameraPath& path) {
     return ticks;
 }
 
+// Null where there are more parts than pictures, and none for this one.
+Result<OutputPtr> open_part(const Options& options, PictureSpan part) {
+    const TickRange& all = options.ticks;
+    const std::string record = record_of(options);
+    if (is_whole(options.shard))
+        return open_output(options.out, options.scene.size, all, record, options.resume);
+    const Result<std::string> out = begin_parts(options.out, options.scene.size, all, record);
+    if (!out) return out.error();
+    if (part.first == part.beyond) {
+        say(told_shard(options.shard) + " of " + options.out + " has no pictures");
+        return OutputPtr();
+    }
+    const TickRange ticks{all.first + part.first * all.step, all.first + (part.beyond - 1) * all.step,
+                          all.step};
+    return open_output(*out, options.scene.size, ticks, record, true);
+}
+
 Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
     if (Result<void> found = find_files(asked.scene); !found) return found;
     if (Result<void> allowed = check_record(asked); !allowed) return allowed;
@@ -227,10 +279,12 @@ Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
     options.ticks = *recorded;
     if (Result<void> checked = check_channels(options); !checked) return checked;
     if (Result<void> checked = check_capture(options); !checked) return checked;
-    Result<OutputPtr> output =
-        open_output(options.out, options.scene.size, options.ticks, record_of(options), options.resume);
+    const PictureSpan part = pictures_of(options.shard, count(options.ticks));
+    Result<OutputPtr> output = open_part(options, part);
     if (!output) return output.error();
-    Result<ChannelFiles> channels = open_channels_of(options, options.ticks.first);
+    if (!*output) return {};
+    Result<ChannelFiles> channels =
+        open_channels_of(options, options.ticks.first + part.first * options.ticks.step);
     if (!channels) return channels.error();
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();
@@ -239,7 +293,7 @@ Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
     Result<TakingPtr> taking = begin_taking(options, *show->loaded.world);
     if (!taking) return taking.error();
     show->taking = std::move(*taking);
-    Result<void> drawn = draw_all(*show, options, path, **output, std::move(*channels));
+    Result<void> drawn = draw_all(*show, options, path, part, **output, std::move(*channels));
     clear_progress();
     Result<void> recorded_too = finish_taking(std::move(show->taking));
     return drawn ? recorded_too : drawn;

@@ -91,7 +91,7 @@ bool has_display() {
 }
 
 Result<void> show_recording(Options options) {
-    if (options.out.empty() && !options.has_ticks && has_display()) {
+    if (options.out.empty() && !options.has_ticks && is_whole(options.shard) && has_display()) {
         options.command = Command::view;
         const bool is_tracks = options.replay.empty();
         options.words = {"--replay", is_tracks ? options.scene.trajectories : options.replay};

@@ -13,6 +13,7 @@ void add_check(CLI::App& app, SceneWords& words, Options& options);
 void add_replay(CLI::App& app, SceneWords& words, Options& options);
 void add_export(CLI::App& app, SceneWords& words, Options& options);
 void add_diff(CLI::App& app, Options& options);
+void add_join(CLI::App& app, Options& options);
 void add_validate(CLI::App& app, Options& options);
 void add_measure(CLI::App& app, Options& options);
 void add_bench(CLI::App& app, SceneWords& words, Options& options);
@@ -32,6 +33,9 @@ void add_work_views(CLI::App& app, SceneWords& words);
 
 // --unit and the others of trajectories
 void add_reading_options(CLI::App& app, TrajectoryReading& reading);
+
+// --shard
+CLI::Option* add_shard_option(CLI::App& app, Options& options);
 
 // --record and what belongs to it; --replay, after all options of the scene
 void add_record_options(CLI::App& app, Options& options);

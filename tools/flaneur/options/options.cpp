@@ -58,6 +58,7 @@ Result<std::variant<std::monostate, Options>> parse_words(int argc, char** argv)
     add_replay(app, words, options);
     add_export(app, words, options);
     add_diff(app, options);
+    add_join(app, options);
     add_bench(app, words, options);
     add_gait(app, words, options);
     add_people(app, words, options);

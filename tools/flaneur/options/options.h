@@ -36,7 +36,8 @@ enum class Command {
     measure,
     replay,
     exports,
-    diff
+    diff,
+    join
 };
 enum class BenchLoad {
     frame,
@@ -60,6 +61,13 @@ struct TickRange {
 };
 inline constexpr uint32_t k_last_tick = 10'000'000;
 constexpr uint32_t count(const TickRange& t) { return (t.last - t.first) / t.step + 1; }
+
+// Which of how many parts of a film's pictures, from 1 on.
+struct Shard {
+    uint32_t number = 1, of = 1;
+};
+inline constexpr uint32_t k_most_shards = 100'000;
+constexpr bool is_whole(Shard shard) { return shard.of == 1; }
 
 enum class Sex { woman, man };
 enum class StripView { side, front };
@@ -222,13 +230,14 @@ struct Options {
     std::string camera_path;  // a file (view/path.h); empty: the scene's camera
     bool has_ticks = false;   // they were asked for
     bool resume = false;
+    Shard shard;
     std::string like;             // a picture whose options these are, where no others are given
     bool is_transparent = false;  // where there is sky
     uint32_t captured = 0;        // the tick whose picture RenderDoc captures, if it is loaded
     std::string depth;            // a file for depths, or a pattern as `out`; empty: none
     std::string ids;              // the same, for ids
 
-    std::string out;  // where render, city, measure and bench peers write
+    std::string out;  // where render, city, measure, join and bench peers write
 
     // sim
     double seconds = 10;
@@ -299,6 +308,8 @@ Result<Moments> parse_part(const std::string& text);
 Result<std::vector<WalkerRange>> parse_who(const std::string& text);
 // "500", of which there may be as many as a scene has; or "100:1e6", up to k_most_swept.
 Result<WalkerRange> parse_walkers(const std::string& text);
+// "3/8"
+Result<Shard> parse_shard(const std::string& text);
 // "600", "0:600" or "0:600:2".
 Result<TickRange> parse_ticks(const std::string& text);
 

@@ -42,8 +42,17 @@ Examples:
   flaneur render --transparent --depth out/depth.png --out out/cut_out.png
   flaneur render --frames 0:60 --out out/%05d.png --capture 30            and out/00030.rdc, for RenderDoc
   flaneur render --frames 600:1200:60 --ids out/%05d-ids.png --out out/%05d.png
+  flaneur render --frames 0:600:2 --out out/city.mp4 --shard 1/8          an eighth of a film, for flaneur join
 A camera path is JSON: { "keys": [ { "time": 0, "eye": [0, 1.7, -20], "target": [0, 1.5, 0], "fov": 32 }, ... ] } in
 seconds, metres and degrees; the window's Cameras room records one, plays it and writes it.)";
+
+constexpr const char* k_join_footer =
+    R"(The film is the one that a single process would have written, byte for byte, where the same ffmpeg encodes it with as
+many threads. tools/farm draws all parts of a film on several machines, and joins them.
+Examples:
+  flaneur render --replay life.flr --frames 0:1200:2 --out life.mp4 --shard 1/2
+  flaneur render --replay life.flr --frames 0:1200:2 --out life.mp4 --shard 2/2
+  flaneur join life.mp4)";
 
 Result<bool> parse_light(const std::string& text) {
     if (text == "host" || text == "device") return text == "host";
@@ -113,6 +122,23 @@ void add_without(CLI::App& app, SceneWords& words) {
                 "; or none; see docs/gait.md. They walk as ever")
                    .c_str(),
                "NAME,...", "");
+}
+
+CLI::Option* add_shard_option(CLI::App& app, Options& options) {
+    return add_parsed(
+        app, "--shard", parse_shard, options.shard,
+        "Draw one of so many parts of a film, or of numbered pictures: the first of eight is 1/8. A "
+        "film's go into FILE.mp4.parts, and flaneur join makes the film of them; what is drawn "
+        "already is left. See docs/farm.md",
+        "I/N", "");
+}
+
+void add_join(CLI::App& app, Options& options) {
+    CLI::App* join = app.add_subcommand("join", "Make a film of its parts")->footer(k_join_footer);
+    join->callback([&] { options.command = Command::join; });
+    join->add_option("film", options.out, "The film, .mp4, as --out of its parts had it")
+        ->type_name("FILE")
+        ->required();
 }
 
 void add_view(CLI::App& app, SceneWords& words, Options& options) {
@@ -191,6 +217,7 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("FILE");
     CLI::Option* resume = render->add_flag(
         "--resume", options.resume, "Go on with a film, or numbered pictures, that the same command began");
+    add_shard_option(*render, options)->excludes(render->get_option("--record"));
     render
         ->add_option("--capture", options.captured,
                      "Have RenderDoc capture the picture of this tick, with all that draws it, into an .rdc "

@@ -246,6 +246,7 @@ void add_replay(CLI::App& app, SceneWords& words, Options& options) {
                    "Which ticks, 60 to the second: N, A:B or A:B:STEP; without it, all", "TICKS", "");
     add_parsed(*replay, "--seconds", parse_seconds, options.ticks, "The same in seconds", "A:B", "")
         ->excludes(frames);
+    add_shard_option(*replay, options)->excludes(check);
     replay->add_option("--threads", options.threads, "Threads that read it; 0: one a core")
         ->type_name("N")
         ->transform(whole_between(0, 256))

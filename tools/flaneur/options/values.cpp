@@ -136,4 +136,14 @@ Result<TickRange> parse_ticks(const std::string& text) {
     return ticks;
 }
 
+Result<Shard> parse_shard(const std::string& text) {
+    const auto parts = split(text, '/');
+    Shard shard;
+    const bool is_shard = parts.size() == 2 && parse_number(parts[0], shard.number) &&
+                          parse_number(parts[1], shard.of) && shard.number >= 1 && shard.number <= shard.of &&
+                          shard.of <= k_most_shards;
+    if (is_shard) return shard;
+    return Error{excerpt(text) + " is no part such as 3/8, the third of eight; there are 100000 at most"};
+}
+
 }  // namespace flaneur

@@ -72,6 +72,7 @@ std::string record_of(const Options& options) {
     };
     put("flaneur", FLANEUR_VERSION);
     put("--scene", s.name);
+    put("--replay", options.replay.empty() ? "" : told_file(options.replay));
     put("--city", s.city.empty() ? "" : told_file(s.city));
     put("--terrain", s.terrain.empty() ? "" : told_file(s.terrain));
     put("--center", s.center ? plainly(s.center->latitude) + "," + plainly(s.center->longitude) : "");
