@@ -305,7 +305,8 @@ void add_export(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->transform(whole_between(1, 60));
     add_place_options(*command, words);
-    add_characters(*command, words, "Who walks in a scene, as render has it; may be given several times",
+    add_characters(*command, words,
+                   "Who walks in a scene, a file or builtin, as render has it; may be given several times",
                    "FILE[:SHARE]")
         ->group("Scene");
     add_force(*command, options)->group("Scene");
