@@ -1,4 +1,4 @@
-// Files of people who are sent: who comes in where and when, and goes where (docs/demand.md).
+// Files of people who are sent: who comes in where and when, and goes where (docs/life/demand.md).
 #pragma once
 
 #include <optional>

@@ -275,7 +275,8 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::demand>(
             "demand", {text}, nullptr, R"("demand.json")",
             "A file of people who come in somewhere at a time, go where they are sent and leave there: a "
-            ".json or SUMO's .rou.xml; see docs/demand.md. A relative path starts at the scene's folder."),
+            ".json or SUMO's .rou.xml; see docs/life/demand.md. A relative path starts at the scene's "
+            "folder."),
         {"trajectories",
          {recorded},
          nullptr,

@@ -94,7 +94,7 @@ def test_a_film_ends_where_people_do(tmp_path):
         (dict(source="corner", start=float("nan")), "start"),
         (dict(source="corner", size=(0, 3)), "--size 0x3"),
         (dict(source="corner", geometry=AREA), "A geometry is for trajectories"),
-        (dict(source="none.flr"), "none.flr cannot be opened"),
+        (dict(source="none.flr"), "no file none.flr"),
         (dict(source="none.txt"), "no file"),
         (dict(source=two_who_walk().assign(x=float("nan"))), "no number"),
         (dict(source="corner", options=["--wlakers", "3"]), "Did you mean --walkers"),

@@ -121,7 +121,7 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
         ->group("Scene");
     app.add_option("--demand", words.demand,
                    "People who come in at their time, go where they are sent and leave there, beside "
-                   "--walkers: a .json, or persons of SUMO, .rou.xml; see docs/demand.md")
+                   "--walkers: a .json, or persons of SUMO, .rou.xml; see docs/life/demand.md")
         ->type_name("FILE")
         ->group("Scene");
     add_walking_options(app, words, options);
