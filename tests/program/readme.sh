@@ -33,7 +33,7 @@ while read -r line; do
         xvfb-run -a -s "-screen 0 1400x900x24" "${words[@]}" --frames 5
     else
         "${words[@]}" > said
-        [[ -s said || " $line " == *" --out "* || " $line " == *" --record "* ]]
+        [[ -s said || " $line " == *" --out "* || " $line " == *" --record "* || ${words[1]} == export ]]
     fi
     for ((i = 2; i < ${#words[@]} - 1; ++i)); do
         if [[ ${words[i]} =~ ^--(out|record|json|sheet|csv|svg|strip)$ && ! -s ${words[i + 1]} ]]; then

@@ -202,6 +202,7 @@ int add_times(tinygltf::Model& model, Clock& clock, const std::vector<float>& ti
 template <class T>
 std::vector<T> picked(const std::vector<T>& all, const std::vector<uint32_t>& keys) {
     std::vector<T> some;
+    some.reserve(keys.size());
     for (const uint32_t key : keys) some.push_back(all[key]);
     return some;
 }

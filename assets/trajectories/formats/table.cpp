@@ -151,6 +151,7 @@ void read_comment(TableHead& head, std::string_view line) {
 // Which of two kinds of columns without names has the shorter ways from row to row of one person.
 double usual_way(const std::vector<std::array<double, 4>>& rows, size_t id, size_t frame) {
     std::vector<const std::array<double, 4>*> order;
+    order.reserve(rows.size());
     for (const auto& row : rows) order.push_back(&row);
     std::stable_sort(order.begin(), order.end(), [&](const auto* a, const auto* b) {
         return (*a)[id] != (*b)[id] ? (*a)[id] < (*b)[id] : (*a)[frame] < (*b)[frame];

@@ -50,20 +50,22 @@ std::string bvh_of(const GlbPerson& person, double fps) {
 }
 
 Result<void> write_bvh(PartFilePtr file, const GlbGroup& group) {
+    const double fps = group.fps;
+    auto write = [&](PartFilePtr own, const GlbPerson& person) -> Result<void> {
+        const std::string text = bvh_of(person, fps), to = own->path;
+        if (Result<void> kept = write_file(std::move(own), text); !kept) return kept;
+        tell(to + ", from " + told(person.frames[0] / fps, "s"), text.size());
+        return {};
+    };
+    if (group.people.size() == 1) return write(std::move(file), group.people[0]);
     const std::filesystem::path path = file->path;
-    if (group.people.size() > 1) file.reset();
+    file.reset();
     for (const GlbPerson& person : group.people) {
-        if (group.people.size() > 1) {
-            std::string name = person.name;
-            std::ranges::replace(name, ' ', '_');
-            Result<PartFilePtr> own =
-                open_file((path.parent_path() / path.stem() / (name + ".bvh")).string());
-            if (!own) return own.error();
-            file = std::move(*own);
-        }
-        const std::string text = bvh_of(person, static_cast<double>(group.fps)), to = file->path;
-        if (Result<void> kept = write_file(std::move(file), text); !kept) return kept;
-        tell(to + ", from " + told(person.frames[0] / static_cast<double>(group.fps), "s"), text.size());
+        std::string name = person.name;
+        std::ranges::replace(name, ' ', '_');
+        Result<PartFilePtr> own = open_file((path.parent_path() / path.stem() / (name + ".bvh")).string());
+        if (!own) return own.error();
+        if (Result<void> kept = write(std::move(*own), person); !kept) return kept;
     }
     return {};
 }
