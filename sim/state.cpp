@@ -282,20 +282,24 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     c.scratch.is_ordered = false;
     c.traffic.done = head->traffic;
     restore(c.traffic, *w.navmesh);
+    forget_previous(w);
+    find_places(w.vehicles);
+    if (has_traffic(w.vehicles)) show_vehicles(w.vehicles, c);
+    w.balls.previous_places.clear();
+    for (const Ball& ball : w.balls.all) w.balls.previous_places.push_back(ball.place);
+    pose_figures_anew(w.figures);
+    return {};
+}
+
+void forget_previous(World& w) {
     w.previous_poses = w.poses;
     w.previous_trails = w.trails;
     if (w.roam) w.roam->previous_frames = w.roam->frames;
     w.linkages.previous_places = w.linkages.places;
     w.linkages.previous_targets = w.linkages.targets;
     forget_previous(w.movers);
-    find_places(w.vehicles);
-    if (has_traffic(w.vehicles)) show_vehicles(w.vehicles, c);
-    w.balls.previous_places.clear();
-    for (const Ball& ball : w.balls.all) w.balls.previous_places.push_back(ball.place);
-    pose_figures_anew(w.figures);
     forget_previous(w.deeds);
     if (w.alongside) forget_previous(*w.alongside);
-    return {};
 }
 
 }  // namespace flaneur

@@ -24,6 +24,10 @@ void save_state(const World& world, std::vector<std::byte>& bytes);
 // bytes that are cut short or too many; for the rest they are trusted.
 Result<void> load_state(World& world, std::span<const std::byte> bytes);
 
+// Bodies, linkages and things are at the tick before where they are now, as if they had stood still.
+// Vehicles, balls and figures are not in this: they say so of themselves.
+void forget_previous(World& world);
+
 // Of what a state's world and the one that it is loaded into have to have in common.
 uint64_t state_mark(const World& world);
 

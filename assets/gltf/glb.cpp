@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "assets/files/picture.h"
+
 namespace flaneur {
 
 tinygltf::Model begin_glb() {
@@ -40,6 +42,18 @@ int add_view(tinygltf::Model& model, std::span<const uint8_t> bytes, int target)
     std::copy(bytes.begin(), bytes.end(), data.begin() + static_cast<std::ptrdiff_t>(view.byteOffset));
     model.bufferViews.push_back(view);
     return static_cast<int>(model.bufferViews.size()) - 1;
+}
+
+int add_texture(tinygltf::Model& model, std::span<const uint8_t> rgba, int width, int height) {
+    const std::string png = encode_png(rgba, width, height, 4);
+    tinygltf::Image image;
+    image.bufferView = add_view(model, {reinterpret_cast<const uint8_t*>(png.data()), png.size()}, 0);
+    image.mimeType = "image/png";
+    tinygltf::Texture texture;
+    texture.source = static_cast<int>(model.images.size());
+    model.images.push_back(image);
+    model.textures.push_back(texture);
+    return static_cast<int>(model.textures.size()) - 1;
 }
 
 int add_positions(tinygltf::Model& model, std::span<const Vec3> positions) {

@@ -27,6 +27,9 @@ float light_of(uint32_t colour, int shift);
 // indices.
 int add_view(tinygltf::Model& model, std::span<const uint8_t> bytes, int target);
 
+// Appends a texture of a PNG, pixels of four channels; gives its number.
+int add_texture(tinygltf::Model& model, std::span<const uint8_t> rgba, int width, int height);
+
 // Appends an accessor over a view of its own; gives its number. `type` and `component` are TINYGLTF_TYPE_*
 // and TINYGLTF_COMPONENT_TYPE_*.
 template <class T>

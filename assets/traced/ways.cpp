@@ -240,15 +240,14 @@ RecordedWays make_ways(const Trajectories& recorded, Entering how, uint64_t seed
     for (size_t first = 0, last = 0; first < all.size(); first = last) {
         const uint32_t id = all[first].id;
         while (last < all.size() && all[last].id == id) ++last;
-        const auto known = std::ranges::lower_bound(recorded.tracked, id, {}, &Tracked::id);
-        const bool is_known = known != recorded.tracked.end() && known->id == id;
-        if (is_known && known->kind != TrackedKind::person) {
+        const Tracked* known = tracked_of(recorded, id);
+        if (known && known->kind != TrackedKind::person) {
             ++m.made.figures.not_people;
             continue;
         }
         add_person(m,
                    {all.begin() + static_cast<ptrdiff_t>(first), all.begin() + static_cast<ptrdiff_t>(last)},
-                   is_known ? known->height : 0);
+                   known ? known->height : 0);
     }
     Traces& traces = m.made.traces;
     std::ranges::sort(traces.ways, [](const TracedWay& a, const TracedWay& b) {

@@ -133,6 +133,18 @@ Result<void> add_geometry(FoundTracks& found, const std::string& path, const std
 
 }  // namespace
 
+const Tracked* tracked_of(const Trajectories& tracks, uint32_t id) {
+    const auto found = std::ranges::lower_bound(tracks.tracked, id, {}, &Tracked::id);
+    return found != tracks.tracked.end() && found->id == id ? &*found : nullptr;
+}
+
+std::vector<uint32_t> ids_of_vehicles(const Trajectories& tracks) {
+    std::vector<uint32_t> ids;
+    for (const Tracked& t : tracks.tracked)
+        if (t.kind != TrackedKind::person) ids.push_back(t.id);
+    return ids;
+}
+
 Result<Trajectories> read_trajectories(const std::string& path, const TrajectoryReading& reading) {
     if (Result<void> is_there = find_file(path); !is_there)
         return Error{"Nobody's ways are read: " + is_there.error().message};

@@ -55,6 +55,11 @@ struct Trajectories {
     std::vector<std::string> assumed;      // sentences: what was not in the file, and why it was taken so
 };
 
+// What a file tells of somebody; null: nothing, so that it is a person.
+const Tracked* tracked_of(const Trajectories& tracks, uint32_t id);
+// The ids of what is no person, rising.
+std::vector<uint32_t> ids_of_vehicles(const Trajectories& tracks);
+
 inline constexpr size_t k_most_sightings = 20'000'000;
 
 // By what is in a file, whatever it is called, packed by gzip or not; docs/trajectories.md has the table of

@@ -153,14 +153,6 @@ py::dict names_of(const Tracks& tracks) {
     return names;
 }
 
-// Ids of what is no person.
-std::vector<uint32_t> vehicles_of(const Tracks& tracks) {
-    std::vector<uint32_t> ids;
-    for (const Tracked& t : tracks.of.tracked)
-        if (t.kind != TrackedKind::person) ids.push_back(t.id);
-    return ids;
-}
-
 }  // namespace
 
 py::class_<Tracks> add_tracks(py::module_& module) {
@@ -170,7 +162,7 @@ py::class_<Tracks> add_tracks(py::module_& module) {
         .def("columns", columns_of)
         .def("write", write)
         .def_property_readonly("names", names_of)
-        .def_property_readonly("vehicles", vehicles_of)
+        .def_property_readonly("vehicles", [](const Tracks& t) { return ids_of_vehicles(t.of); })
         .def_property_readonly("fps", [](const Tracks& t) { return t.of.fps; })
         .def_property_readonly("format", [](const Tracks& t) { return t.of.format; })
         .def_property_readonly("assumed", [](const Tracks& t) { return t.of.assumed; })

@@ -223,13 +223,16 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
 }
 
 // All of a recording, where no ticks were asked for; of one picture the last, of trajectories the middle.
-Result<TickRange> recorded_ticks(const Options& options) {
+// Those are read for that, and kept for who loads them.
+Result<TickRange> recorded_ticks(Options& options) {
     if (options.has_ticks) return options.ticks;
     const bool is_one = has_ending(options.out, ".png") && picture_path(options.out, 0) == options.out;
     if (is_recorded(options.scene)) {
-        const Result<uint32_t> last = last_recorded_tick(options.scene);
-        if (!last) return last.error();
-        return is_one ? TickRange{*last / 2, *last / 2, 1} : TickRange{0, *last, 2};
+        Result<std::shared_ptr<const Trajectories>> read = read_recorded(options.scene);
+        if (!read) return read.error();
+        options.recorded = std::move(*read);
+        const uint32_t last = last_tick_of(*options.recorded);
+        return is_one ? TickRange{last / 2, last / 2, 1} : TickRange{0, last, 2};
     }
     if (options.replay.empty()) return options.ticks;
     const Result<PlayingPtr> playing = open_playing(options.replay, 1);
@@ -290,6 +293,7 @@ Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
     if (!renderer) return renderer.error();
     Result<Show> show = make_show(std::move(*renderer), options);
     if (!show) return show.error();
+    options.recorded.reset();
     Result<TakingPtr> taking = begin_taking(options, *show->loaded.world);
     if (!taking) return taking.error();
     show->taking = std::move(*taking);

@@ -86,24 +86,13 @@ void add_material(tinygltf::Model& model, const StillMaterial& m) {
     model.materials.push_back(out);
 }
 
-void add_picture(tinygltf::Model& model, const Scenery::Picture& picture) {
-    std::string png = encode_png(picture.rgba, picture.width, picture.height, 4);
-    tinygltf::Image image;
-    image.bufferView = add_view(model, {reinterpret_cast<const uint8_t*>(png.data()), png.size()}, 0);
-    image.mimeType = "image/png";
-    tinygltf::Texture texture;
-    texture.source = static_cast<int>(model.images.size());
-    model.images.push_back(image);
-    model.textures.push_back(texture);
-}
-
 }  // namespace
 
 std::string still_glb(const StillModel& still) {
     tinygltf::Model model = begin_glb();
     tinygltf::Scene scene;
     for (const StillMaterial& m : still.materials) add_material(model, m);
-    for (const Scenery::Picture& p : still.pictures) add_picture(model, p);
+    for (const Scenery::Picture& p : still.pictures) add_texture(model, p.rgba, p.width, p.height);
     for (const StillMesh& m : still.meshes) {
         tinygltf::Mesh mesh;
         mesh.name = m.name;

@@ -81,15 +81,8 @@ int add_material(tinygltf::Model& model, const Texture* picture) {
     material.pbrMetallicRoughness.metallicFactor = 0;
     material.pbrMetallicRoughness.roughnessFactor = 0.9;
     if (picture) {
-        const std::string png = encode_png(picture->rgba, picture->width, picture->height, 4);
-        tinygltf::Image image;
-        image.bufferView = add_view(model, {reinterpret_cast<const uint8_t*>(png.data()), png.size()}, 0);
-        image.mimeType = "image/png";
-        tinygltf::Texture texture;
-        texture.source = static_cast<int>(model.images.size());
-        model.images.push_back(image);
-        material.pbrMetallicRoughness.baseColorTexture.index = static_cast<int>(model.textures.size());
-        model.textures.push_back(texture);
+        material.pbrMetallicRoughness.baseColorTexture.index =
+            add_texture(model, picture->rgba, picture->width, picture->height);
         for (size_t i = 3; i < picture->rgba.size(); i += 4)
             if (picture->rgba[i] < 255) material.alphaMode = "MASK";
     }

@@ -3,24 +3,9 @@
 # cannot be is refused in a sentence and leaves no file.
 set -euo pipefail
 flaneur=$1 vulkan=${2-}
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-failed() { echo "FAILED: $*" && cat said && exit 1; }
-# runs PATTERN WORDS...: and says something like it.
-runs() {
-    local pattern=$1
-    shift
-    "$flaneur" "$@" > said 2>&1 || failed "$*"
-    grep -qE -- "$pattern" said || failed "$* does not say $pattern"
-}
-refuses() {
-    local pattern=$1 status=0
-    shift
-    "$flaneur" "$@" > said 2>&1 || status=$?
-    ((status == 1)) || failed "$* ends with $status"
-    grep -qE -- "$pattern" said || failed "$* does not say $pattern"
-}
+here=$(realpath "$(dirname "$0")")
+# shellcheck source-path=SCRIPTDIR source=says.sh
+. "$here/says.sh"
 
 runs "flaneur export SOURCE OUT|SOURCE and OUT" export --help
 runs "Recorded a.flr" sim --scene corner --walkers 20 --seconds 3 --record a.flr

@@ -4,24 +4,8 @@
 set -euo pipefail
 flaneur=$1 vulkan=${2-}
 here=$(realpath "$(dirname "$0")")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-failed() { echo "FAILED: $*" && cat said && exit 1; }
-# runs WORDS...: and says something like PATTERN.
-runs() {
-    local pattern=$1
-    shift
-    "$flaneur" "$@" > said 2>&1 || failed "$*"
-    grep -qE -- "$pattern" said || failed "$* does not say $pattern"
-}
-refuses() {
-    local pattern=$1 status=0
-    shift
-    "$flaneur" "$@" > said 2>&1 || status=$?
-    ((status == 1)) || failed "$* ends with $status"
-    grep -qE -- "$pattern" said || failed "$* does not say $pattern"
-}
+# shellcheck source-path=SCRIPTDIR source=says.sh
+. "$here/says.sh"
 
 corner=(sim --scene corner --walkers 30 --seconds 3)
 runs "Recorded a.flr" "${corner[@]}" --record a.flr

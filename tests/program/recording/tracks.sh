@@ -4,11 +4,9 @@
 set -euo pipefail
 flaneur=$1
 here=$(realpath "$(dirname "$0")")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+# shellcheck source-path=SCRIPTDIR source=says.sh
+. "$here/says.sh"
 same() { "$here/../pictures/differ.py" "$1" "$2" 0; }  # but for what they say of themselves
-failed() { echo "FAILED: $*" && cat said && exit 1; }
 # Three who walk 4 m to the east at 1.3 m/s, in centimetres, 10 times a second.
 awk 'BEGIN { for (f = 0; f < 31; ++f) for (i = 1; i <= 3; ++i) printf "%d %d %.1f %.1f\n", i, f, 13 * f, 100 * i }' > walk.txt
 small=(--size 96x64 --quality low)
@@ -23,17 +21,11 @@ frames=$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of 
 same ninety.png other.png || failed "0.01 is not cm"
 "$flaneur" replay walk.txt --fps 10 --unit m "${small[@]}" --frames 90 --out metres.png 2> said || failed "metres"
 if same ninety.png metres.png > /dev/null 2>&1; then failed "--unit changes nothing"; fi
-refused() {  # PATTERN WORDS...
-    local pattern=$1
-    shift
-    if "$flaneur" "$@" > printed 2> said; then failed "$* is not refused"; fi
-    grep --quiet --extended-regexp -e "$pattern" said || failed "$*: not refused by $pattern"
-}
-refused 'flaneur inspect walk.txt' replay walk.txt --check
-refused '--unit parsec is none of m' replay walk.txt --unit parsec
-refused '--origin 3 is no place EAST,NORTH' replay walk.txt --origin 3
-refused 'neither fade nor step' replay walk.txt --enter leap
-refused 'nobody.txt' replay nobody.txt
-refused 'needs|requires' render --unit cm --out a.png
+refuses 'flaneur inspect walk.txt' replay walk.txt --check
+refuses '--unit parsec is none of m' replay walk.txt --unit parsec
+refuses '--origin 3 is no place EAST,NORTH' replay walk.txt --origin 3
+refuses 'neither fade nor step' replay walk.txt --enter leap
+refuses 'nobody.txt' replay nobody.txt
+refuses 'needs|requires' render --unit cm --out a.png
 "$flaneur" sim --scene corner --walkers 5 --seconds 1 --record run.flr 2> said || failed "a recording"
-refused 'are for trajectories' replay run.flr --unit cm --out a.png
+refuses 'are for trajectories' replay run.flr --unit cm --out a.png

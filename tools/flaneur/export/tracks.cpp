@@ -65,8 +65,8 @@ std::vector<WalkablePolygon> ground_of(const Trajectories& tracks) {
 }
 
 bool is_person(const Trajectories& tracks, uint32_t id) {
-    const auto found = std::ranges::lower_bound(tracks.tracked, id, {}, &Tracked::id);
-    return found == tracks.tracked.end() || found->id != id || found->kind == TrackedKind::person;
+    const Tracked* known = tracked_of(tracks, id);
+    return !known || known->kind == TrackedKind::person;
 }
 
 }  // namespace

@@ -208,21 +208,19 @@ static Result<SmallWorld> make_small_world(const Scene& scene) {
     return make_rock(*solid, scene.seed, scene.walkers);
 }
 
-// Of a scene that is_recorded().
-static Result<Trajectories> read_recorded(const Scene& scene) {
+Result<std::shared_ptr<const Trajectories>> read_recorded(const Scene& scene) {
     show_progress("reading " + scene.trajectories);
     Result<Trajectories> read = read_trajectories(scene.trajectories, scene.reading);
-    if (read) print_notes(scene.trajectories, read->assumed);
-    return read;
+    if (!read) return read.error();
+    print_notes(scene.trajectories, read->assumed);
+    return std::make_shared<const Trajectories>(std::move(*read));
 }
 
-Result<uint32_t> last_recorded_tick(const Scene& scene) {
-    const Result<Trajectories> read = read_trajectories(scene.trajectories, scene.reading);
-    if (!read) return read.error();
-    const std::vector<Sighting>& all = read->sightings;
+uint32_t last_tick_of(const Trajectories& recorded) {
+    const std::vector<Sighting>& all = recorded.sightings;
     const uint32_t frames = all.back().frame - all.front().frame;
     if (frames == 0) return static_cast<uint32_t>(k_picture * 60);
-    return static_cast<uint32_t>(std::min(std::round(frames / wide(read->fps) * 60), 1.0 * k_last_tick));
+    return static_cast<uint32_t>(std::min(std::round(frames / wide(recorded.fps) * 60), 1.0 * k_last_tick));
 }
 
 Result<City> read_city(const Scene& scene) {
@@ -242,8 +240,8 @@ Result<City> read_bare_city(const Scene& scene) {
         say(scene.name + ": grows to " + std::to_string(blocks) + " times " + std::to_string(blocks) +
             " blocks for " + std::to_string(scene.walkers) + " walkers, which may take minutes to make.");
     if (is_recorded(scene)) {
-        const Result<Trajectories> recorded = read_recorded(scene);
-        return recorded ? Result<City>(build_hall(*recorded, scene.name)) : recorded.error();
+        const Result<std::shared_ptr<const Trajectories>> recorded = read_recorded(scene);
+        return recorded ? Result<City>(build_hall(**recorded, scene.name)) : recorded.error();
     }
     if (is_small_world(scene)) {
         Result<SmallWorld> world = make_small_world(scene);
@@ -368,9 +366,9 @@ Result<Loaded> load(const Options& options) {
         if (!made) return made.error();
         round = std::move(*made);
     }
-    std::optional<Trajectories> recorded;
-    if (is_recorded(scene)) {
-        Result<Trajectories> read = read_recorded(scene);
+    std::shared_ptr<const Trajectories> recorded = options.recorded;
+    if (is_recorded(scene) && !recorded) {
+        Result<std::shared_ptr<const Trajectories>> read = read_recorded(scene);
         if (!read) return read.error();
         recorded = std::move(*read);
     }

@@ -46,8 +46,10 @@ struct PeopleOrder {
     std::vector<std::vector<Vec2>> steppers_ways;  // that some of them step along
     uint32_t steppers = 0;
 };
-// Of a scene that is_recorded(): the tick of its last frame, from that of its first one. Reads all of it.
-Result<uint32_t> last_recorded_tick(const Scene& scene);
+// Of a scene that is_recorded(). Says what was assumed.
+Result<std::shared_ptr<const Trajectories>> read_recorded(const Scene& scene);
+// The tick of their last frame, from that of the first one.
+uint32_t last_tick_of(const Trajectories& recorded);
 
 // So many people in the same city, set down and led by that seed, as of the hour at which it began.
 PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers);

@@ -15,9 +15,7 @@ constexpr double k_least_square = 0.2;      // metres, of a map, where nothing i
 constexpr double k_usual_squares = 20'000;  // and how many there may be then
 
 void leave_out_vehicles(MeasuredFile& measured) {
-    std::vector<uint32_t> others;
-    for (const Tracked& t : measured.tracks.tracked)
-        if (t.kind != TrackedKind::person) others.push_back(t.id);
+    const std::vector<uint32_t> others = ids_of_vehicles(measured.tracks);
     if (others.empty()) return;
     std::erase_if(measured.tracks.sightings,
                   [&](const Sighting& s) { return std::binary_search(others.begin(), others.end(), s.id); });

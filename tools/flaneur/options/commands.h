@@ -47,6 +47,9 @@ Result<Scene> replayed_scene(const SceneWords& words, Options& options);
 void add_trace_option(CLI::App& app, Options& options);
 void add_lod(CLI::App& app, Options& options);
 
+// --threads; `what` they do
+CLI::Option* add_threads_option(CLI::App& app, Options& options, const char* what);
+
 // --isa
 void add_isa_option(CLI::App& app, Options& options);
 

@@ -92,10 +92,7 @@ void add_people(CLI::App& app, SceneWords& words, Options& options) {
     command
         ->add_flag("--validate", options.validate, "Fail if the Khronos validation layer has anything to say")
         ->needs(sheet);
-    command->add_option("--threads", options.threads, "Threads that make people; 0: one a core")
-        ->type_name("N")
-        ->transform(whole_between(0, 256))
-        ->capture_default_str();
+    add_threads_option(*command, options, "Threads that make people; 0: one a core");
 }
 
 void add_inspect(CLI::App& app, SceneWords& words, Options& options) {

@@ -232,10 +232,7 @@ void add_measure(CLI::App& app, Options& options) {
         ->capture_default_str();
     add_parsed(*command, "--service-of", parse_service, measure.service_of,
                "Whose levels of service: walkway, stairs, queue", "WORD", "walkway");
-    command->add_option("--threads", options.threads, "Threads that measure; 0: one a core")
-        ->type_name("N")
-        ->transform(whole_between(0, 256))
-        ->capture_default_str();
+    add_threads_option(*command, options, "Threads that measure; 0: one a core");
     command->add_option("--out", options.out, "Write a .csv, a .json, an .svg, or all of them into a folder")
         ->type_name("FILE");
     add_reading_options(*command, options.reading);

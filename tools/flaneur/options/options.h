@@ -213,6 +213,8 @@ struct Options {
 
     RecordOptions record;
     std::string replay;  // view, render, check, replay: the recording that is shown; empty: a scene is
+    // Of a scene that is_recorded(), where somebody has read them already: see read_recorded().
+    std::shared_ptr<const Trajectories> recorded;
     bool checks_replay = false;
     ExportOptions exported;
     float within = 0;           // diff: metres that do not count

@@ -106,6 +106,13 @@ static Result<float> parse_lod(const std::string& text) {
     return metres;
 }
 
+CLI::Option* add_threads_option(CLI::App& app, Options& options, const char* what) {
+    return app.add_option("--threads", options.threads, what)
+        ->type_name("N")
+        ->transform(whole_between(0, 256))
+        ->capture_default_str();
+}
+
 void add_lod(CLI::App& app, Options& options) {
     add_parsed(app, "--lod", parse_lod, options.lod,
                "People farther than this from the camera walk eight ticks at once, and twice as far sixteen, "

@@ -247,10 +247,7 @@ void add_replay(CLI::App& app, SceneWords& words, Options& options) {
     add_parsed(*replay, "--seconds", parse_seconds, options.ticks, "The same in seconds", "A:B", "")
         ->excludes(frames);
     add_shard_option(*replay, options)->excludes(check);
-    replay->add_option("--threads", options.threads, "Threads that read it; 0: one a core")
-        ->type_name("N")
-        ->transform(whole_between(0, 256))
-        ->capture_default_str();
+    add_threads_option(*replay, options, "Threads that read it; 0: one a core");
     add_drawing_options(*replay, words, options);
     add_camera_option(*replay, words);
     add_work_views(*replay, words);
@@ -273,10 +270,7 @@ void add_diff(CLI::App& app, Options& options) {
         ->required();
     add_parsed(*diff, "--within", parse_millimetres, options.within,
                "What does not count: 0.1 to 50 millimetres, and half as many degrees; 0: nothing", "MM", "0");
-    diff->add_option("--threads", options.threads, "Threads that read them; 0: one a core")
-        ->type_name("N")
-        ->transform(whole_between(0, 256))
-        ->capture_default_str();
+    add_threads_option(*diff, options, "Threads that read them; 0: one a core");
 }
 
 void add_export(CLI::App& app, SceneWords& words, Options& options) {
@@ -310,10 +304,7 @@ void add_export(CLI::App& app, SceneWords& words, Options& options) {
                    "FILE[:SHARE]")
         ->group("Scene");
     add_force(*command, options)->group("Scene");
-    command->add_option("--threads", options.threads, "Threads that simulate or read; 0: one a core")
-        ->type_name("N")
-        ->transform(whole_between(0, 256))
-        ->capture_default_str();
+    add_threads_option(*command, options, "Threads that simulate or read; 0: one a core");
 }
 
 }  // namespace flaneur

@@ -95,11 +95,7 @@ void add_walking_options(CLI::App& app, SceneWords& words, Options& options) {
         ->group("Scene");
     add_parsed(app, "--weather", parse_weather, words.is_overcast, "clear or overcast", "WEATHER", "clear")
         ->group("Scene");
-    app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
-        ->type_name("N")
-        ->transform(whole_between(0, 256))
-        ->capture_default_str()
-        ->group("Scene");
+    add_threads_option(app, options, "Threads of the simulation; 0: one a core")->group("Scene");
 }
 
 void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {

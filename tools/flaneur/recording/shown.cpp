@@ -6,6 +6,7 @@
 
 #include "sim/alongside/alongside.h"
 #include "sim/pastimes/pastimes.h"
+#include "sim/state.h"
 
 namespace flaneur {
 
@@ -225,16 +226,9 @@ struct Reader {
 };
 
 void keep_previous(World& w) {
-    w.previous_poses = w.poses;
-    w.previous_trails = w.trails;
-    if (w.roam) w.roam->previous_frames = w.roam->frames;
-    w.linkages.previous_places = w.linkages.places;
-    w.linkages.previous_targets = w.linkages.targets;
-    forget_previous(w.movers);
+    forget_previous(w);
     w.vehicles.previous = w.vehicles.places;
     w.figures.previous_poses = w.figures.poses;
-    forget_previous(w.deeds);
-    if (w.alongside) forget_previous(*w.alongside);
 }
 
 // Who is there; whoever is new in a slot was nowhere before.
